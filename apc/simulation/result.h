@@ -1,0 +1,88 @@
+/// What came out of one overrun: outcome, histories, extremes, energy, table coverage, solver statistics, provenance.
+/// A value; reports only read it. SI throughout.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace apc::simulation {
+
+enum class Outcome {
+  stopped,     ///< came to rest in the bed (or before it)
+  left_bed,    ///< the nose wheel passed the far end of the bed still moving
+  gear_limit,  ///< stopped or not, but a gear load passed its ultimate load: the gear must be taken as failed there
+};
+const char* text(Outcome);
+
+/// One gear group ("nose", "main"): forces per strut, as certification limits are.
+struct GearSummary {
+  std::string name;
+  int struts = 1, wheels = 2;                                ///< wheels per strut
+  double peak_drag = 0.0, peak_drag_distance = 0.0;          ///< N per strut; nose-wheel bed distance where it occurs
+  double peak_vertical = 0.0, peak_vertical_distance = 0.0;  ///< N per strut
+  double mean_drag = 0.0;                                    ///< N per strut, mean over distance in the bed
+  double drag_limit = 0.0, drag_ultimate = 0.0, vertical_limit = 0.0;  ///< N per strut; 0 = no limit known
+  std::string drag_rule, vertical_rule;  ///< "14 CFR 25.509 from ramp weight", "aircraft file"
+  double drag_margin = 0.0, ultimate_margin = 0.0, vertical_margin = 0.0;  ///< limit/peak − 1
+  double peak_stroke = 0.0, stroke = 0.0;                                  ///< m; stroke = available
+  bool bottomed = false;                                                   ///< the strut reached its stop
+  double peak_rut = 0.0, peak_penetration = 0.0;                           ///< m
+  double static_vertical = 0.0;                                            ///< N per strut, at rest
+};
+
+/// Share of the time in the bed during which a tire's contact lay inside its table's fitted range.
+struct CoverageSummary {
+  std::string gear, tire;
+  double inside = 1.0, speed_below = 0.0, depth_outside = 0.0, penetration_outside = 0.0;  ///< shares of time
+};
+
+/// One row per sample, all columns of equal length. Gear columns are indexed like `gears`.
+struct History {
+  struct Gear {
+    std::vector<double> drag, vertical;       ///< N, whole gear group (all struts): tire forces on the axles
+    std::vector<double> stroke, stroke_rate;  ///< m, m/s, mean over the group's struts
+    std::vector<double> penetration, rut, bed_depth, spin;  ///< leading row of the group; m, m, m, rad/s
+    std::vector<double> distance;                           ///< bed distance of the leading row, m
+  };
+  std::vector<double> time;          ///< s, 0 when the nose wheel crosses the leading edge
+  std::vector<double> distance;      ///< m, nose wheel from the bed's leading edge (negative before it)
+  std::vector<double> speed;         ///< m/s, ground speed of the centre of gravity
+  std::vector<double> deceleration;  ///< m/s², −x″ of the centre of gravity
+  std::vector<double> acceleration_x, acceleration_z;  ///< m/s², what body-fixed accelerometers read at the CG
+  std::vector<double> pitch, pitch_rate, heave;        ///< rad (nose up, 0 static), rad/s, m (CG height − static)
+  std::vector<Gear> gears;
+  std::vector<double> dissipated;  ///< J, all sinks so far
+};
+
+struct SolverStatistics {
+  std::string method;  ///< "CVODE BDF" or "RODAS4"
+  long steps = 0, rhs_calls = 0, jacobians = 0, error_test_failures = 0, newton_failures = 0;
+  double wall_s = 0.0, rtol = 0.0;
+};
+
+struct Result {
+  Outcome outcome = Outcome::stopped;
+  std::string message;           ///< one sentence: what happened, where
+  double entry_speed = 0.0;      ///< m/s, nose wheel at the leading edge
+  double stop_distance = 0.0;    ///< m, nose wheel from the leading edge at rest; NaN when it left the bed
+  double runway_distance = 0.0;  ///< m, from the pavement end
+  double exit_speed = 0.0;       ///< m/s when it left the bed, else 0
+  double stop_time = 0.0;        ///< s after entry
+  double peak_deceleration = 0.0, mean_deceleration = 0.0;  ///< m/s²; mean = v²/(2 · distance in the bed)
+  double peak_deceleration_100ms = 0.0;                     ///< largest mean over 0.1 s
+  double peak_pitch = 0.0, lowest_pitch = 0.0;              ///< rad
+  std::vector<GearSummary> gears;
+  std::vector<CoverageSummary> coverage;
+  /// J by sink and store: kinetic, potential, bed, tires, oleo_gas, oleo_damping, strut_friction, stops, brakes, aero,
+  /// thrust, … ; "residual" is |balance| relative to the entry's kinetic energy.
+  std::map<std::string, double> energy;
+  double mass = 0.0, cg_behind_nose_gear = 0.0;  ///< as simulated
+  std::vector<std::string> warnings;             ///< first lines of every report: table left, strut bottomed, …
+  SolverStatistics solver;
+  History history;                                ///< empty when Options::sampling is 0
+  std::map<std::string, std::string> provenance;  ///< inputs, their hashes, tables, versions
+};
+
+}  // namespace apc::simulation

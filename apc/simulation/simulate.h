@@ -1,0 +1,53 @@
+/// One overrun: `simulate(model, overrun, options)`. What exists (Model), what happens (Overrun), how it is solved and
+/// observed (Options) stay apart; all three are const, the Result is a value.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "aircraft/aircraft.h"
+#include "apc/bed/bed.h"
+#include "apc/simulation/result.h"
+#include "loadtables/load_table.h"
+
+namespace apc::simulation {
+
+/// Everything that exists, checked for consistency by make_model.
+struct Model {
+  aircraft::Aircraft aircraft;
+  bed::Bed bed;
+  std::vector<loadtables::LoadTable> tables;  ///< one per gear group, in the aircraft's order
+};
+
+/// Pairs every gear's tire with its table by name. InputError when a table is missing.
+Model make_model(aircraft::Aircraft, bed::Bed, const std::vector<loadtables::LoadTable>&);
+
+/// What happens. Defaults are ACRP Report 29's assumptions except braking, which is off unless asked for.
+struct Overrun {
+  double entry_speed = 0.0;          ///< m/s, when the nose wheel crosses the bed's leading edge
+  double mass = 0.0;                 ///< kg; 0 = the aircraft file's
+  double cg_behind_nose_gear = 0.0;  ///< m; 0 = the aircraft file's
+  double pitch_inertia = 0.0;        ///< kg m²; 0 = the file's, scaled with mass
+  double braking = 0.0;              ///< friction coefficient on the braked wheels' vertical load, before the bed
+  double braking_in_bed = -1.0;      ///< same inside the bed; < 0 = as before the bed
+  double thrust = 0.0;               ///< N, net, forward positive (reverse negative)
+  double headwind = 0.0;             ///< m/s
+};
+
+enum class Method {
+  reference,  ///< CVODE BDF, dense Newton
+  fast,       ///< fixed-size Rosenbrock; same results within 1 mm
+};
+
+struct Options {
+  Method method = Method::reference;
+  double rtol = 1e-6;
+  double sampling = 0.005;    ///< s between history rows; 0 = no history
+  double time_limit = 120.0;  ///< s of motion; reaching it is a SolveError
+};
+
+/// Throws SolveError (time, state, what to try) when trim or integration fails; physical outcomes are results.
+Result simulate(const Model&, const Overrun&, const Options& = {});
+
+}  // namespace apc::simulation
