@@ -1,0 +1,95 @@
+/// `apc check`: reads files as the other commands would and says what is wrong, without running anything.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "apc/base/csv.h"
+#include "apc/base/file.h"
+#include "apc/base/json.h"
+#include "apc/base/require.h"
+#include "apc/cli/commands.h"
+#include "apc/cli/inputs.h"
+#include "apc/cli/text_table.h"
+#include "loadtables/samples.h"
+
+namespace apc::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using report::shown;
+namespace measure = report::measure;
+
+std::string check_aircraft(const fs::path& path, report::UnitSystem units) {
+  std::vector<report::InputFile> read;
+  const auto plane = aircraft::load_aircraft(path, read_tires({}, path, read));
+  return concat(plane.name, ", ", shown(plane.mass, measure::mass, units), ", ", plane.gears.size(), " gears");
+}
+
+std::string check_bed(const fs::path& path, report::UnitSystem units) {
+  const auto bed = bed::load_bed(path);
+  return concat(bed.name, ", ", shown(bed.length(), measure::distance, units), " long, up to ",
+                shown(bed.maximum_depth(), measure::depth, units), " of ", bed.material);
+}
+
+std::string check_json(const fs::path& path, report::UnitSystem units) {
+  const auto file = read_json(path);
+  const auto schema = file.text("schema");
+  if (schema == "apc-aircraft/1") return schema + ": " + check_aircraft(path, units);
+  if (schema == "apc-bed/1") return schema + ": " + check_bed(path, units);
+  if (schema == "apc-tire/1") return concat(schema, ": ", aircraft::load_tires(path).size(), " tires");
+  const std::vector<std::string> known{"apc-aircraft/1", "apc-bed/1", "apc-tire/1"};
+  const auto near = nearest(schema, known.data(), known.size());
+  throw InputError(concat(path.string(), " /schema: \"", schema, "\" is unknown to this program.",
+                          near.empty() ? std::string() : concat(" Did you mean \"", near, "\"?"),
+                          " \"apc describe\" lists the formats"));
+}
+
+std::string check_csv(const fs::path& path) {
+  const auto table = read_csv(path);
+  const auto schema = table.remarks.find("schema");
+  if (schema == table.remarks.end())  // signals, surveys: any columns of numbers
+    return concat("CSV: ", table.columns.size(), " columns, ", table.rows(), " rows");
+  require(schema->second == "apc-loads/1", path.string(), ": \"# schema: ", schema->second,
+          "\" is unknown to this program. Load samples are \"apc-loads/1\"");
+  const auto samples = loadtables::read_loads_csv(path);
+  return concat("apc-loads/1: ", samples.samples.size(), " samples of ", samples.tire, " in ", samples.material);
+}
+
+std::string check_file(const fs::path& path, report::UnitSystem units) {
+  if (path.extension() == ".h5" || path.extension() == ".hdf5") {
+    const auto table = loadtables::load_table(path);
+    return concat("apc-loads/1: table of ", table.tire().name, " in ", table.provenance().material, ", ",
+                  table.provenance().runs, " runs");
+  }
+  return path.extension() == ".csv" ? check_csv(path) : check_json(path, units);
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Settings& settings) {
+  auto* command = program.add_subcommand("check", "validates files without running anything");
+  const auto files = std::make_shared<std::vector<std::string>>();
+  command->add_option("FILE", *files, "aircraft, tire, bed and load files (JSON, CSV, HDF5)")
+      ->required()
+      ->type_name("");
+  add_common_options(*command, settings);
+  command->footer("One line per file; exit code 2 when any of them is bad.");
+  command->callback([files, &settings] {
+    TextTable table{{"file", "verdict", "message"}, {}};
+    for (const auto& file : *files) {
+      try {
+        const auto what = check_file(file, settings.units);
+        table.rows.push_back({file, "good", what});
+        if (!settings.quiet) std::printf("good  %s: %s\n", file.c_str(), what.c_str());
+      } catch (const InputError& error) {
+        table.rows.push_back({file, "bad", error.what()});
+        settings.exit_code = exit_code::bad_input;
+        std::fprintf(stderr, "bad   %s\n", error.what());
+      }
+    }
+    if (!settings.json.empty()) write_text(settings.json, table_json(table, "apc-check/1"));
+  });
+}
+
+}  // namespace apc::cli

@@ -1,0 +1,145 @@
+#include "apc/report/brief.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace apc::report {
+namespace {
+
+using simulation::GearSummary;
+
+void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
+  const auto& result = record.result;
+  for (const auto& warning : result.warnings) out += "warning: " + warning + "\n";
+  if (!result.warnings.empty()) out += "\n";
+  out += result.message + "\n\n";
+  if (std::isfinite(result.stop_distance))
+    out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
+                       shown(result.stop_distance, measure::distance, units),
+                       shown(result.runway_distance, measure::distance, units),
+                       shown(result.stop_time, measure::time, units));
+  else
+    out += fmt::format("  left the bed   at {}, {} after entry\n", shown(result.exit_speed, measure::speed, units),
+                       shown(result.stop_time, measure::time, units));
+  out += fmt::format("  deceleration   peak {}, largest 0.1 s mean {}, mean {}\n",
+                     shown(result.peak_deceleration, measure::acceleration, units),
+                     shown(result.peak_deceleration_100ms, measure::acceleration, units),
+                     shown(result.mean_deceleration, measure::acceleration, units));
+  out += fmt::format("  pitch          {} to {}\n", shown(result.lowest_pitch, measure::angle, units),
+                     shown(result.peak_pitch, measure::angle, units));
+  const auto worst = worst_margin(result);
+  if (worst.gear.empty())
+    out += "  worst margin   no limit is known\n";
+  else
+    out += fmt::format("  worst margin   {}: {} {} {} of {} at {} ({})\n", percent(worst.margin, 1), worst.gear,
+                       worst.load, shown(worst.peak, measure::force, units), shown(worst.limit, measure::force, units),
+                       shown(worst.distance, measure::distance, units), worst.rule);
+}
+
+void add_load_row(std::string& out, const char* gear, const char* load, double peak, double at, double limit,
+                  double margin, const std::string& rule, UnitSystem units) {
+  out += fmt::format("  {:<7}{:<11}{:>14}{:>12}{:>14}{:>10}  {}\n", gear, load, shown(peak, measure::force, units),
+                     shown(at, measure::distance, units), limit > 0 ? shown(limit, measure::force, units) : "-",
+                     limit > 0 ? percent(margin, 1) : "-", rule);
+}
+
+void add_gears(std::string& out, const OverrunRecord& record, UnitSystem units) {
+  out += fmt::format("\n  {:<7}{:<11}{:>14}{:>12}{:>14}{:>10}  {}\n", "gear", "per strut", "peak", "at", "limit",
+                     "margin", "rule");
+  for (const auto& gear : record.result.gears) {
+    add_load_row(out, gear.name.c_str(), "drag", gear.peak_drag, gear.peak_drag_distance, gear.drag_limit,
+                 gear.drag_margin, gear.drag_rule, units);
+    if (gear.drag_ultimate > 0)
+      add_load_row(out, "", "  ultimate", gear.peak_drag, gear.peak_drag_distance, gear.drag_ultimate,
+                   gear.ultimate_margin, "", units);
+    add_load_row(out, "", "vertical", gear.peak_vertical, gear.peak_vertical_distance, gear.vertical_limit,
+                 gear.vertical_margin, gear.vertical_rule, units);
+    out += fmt::format("  {:<7}stroke {} of {}{}; penetration {}, rut {}\n", "",
+                       shown(gear.peak_stroke, measure::depth, units), shown(gear.stroke, measure::depth, units),
+                       gear.bottomed ? " (bottomed)" : "", shown(gear.peak_penetration, measure::depth, units),
+                       shown(gear.peak_rut, measure::depth, units));
+  }
+}
+
+void add_energy(std::string& out, const OverrunRecord& record, UnitSystem units) {
+  const auto& energy = record.result.energy;
+  const double entry = 0.5 * record.result.mass * std::pow(record.result.entry_speed, 2);
+  out +=
+      fmt::format("\n  energy         {} of motion at entry; where it went:\n", shown(entry, measure::energy, units));
+  std::vector<std::pair<std::string, double>> terms(energy.begin(), energy.end());
+  std::stable_sort(terms.begin(), terms.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.second) > std::abs(b.second); });
+  for (const auto& [key, value] : terms)
+    if (key != "residual")
+      out += fmt::format("    {:<24}{:>20}{:>10}\n", energy_name(key), shown(value, measure::energy, units),
+                         percent(entry > 0 ? value / entry : 0.0, 2));
+  if (const auto residual = energy.find("residual"); residual != energy.end())
+    out += fmt::format("    {:<24}{:>20.1e}{:>10}\n", "residual, relative", residual->second, "");
+}
+
+}  // namespace
+
+std::string energy_name(const std::string& key) {
+  static const std::map<std::string, std::string> names{{"kinetic", "kinetic, left over"},
+                                                        {"potential", "potential"},
+                                                        {"bed", "bed"},
+                                                        {"tires", "tires"},
+                                                        {"oleo_gas", "strut gas"},
+                                                        {"oleo_damping", "strut damping"},
+                                                        {"strut_friction", "strut friction"},
+                                                        {"stops", "strut stops"},
+                                                        {"brakes", "brakes"},
+                                                        {"rolling", "rolling on the pavement"},
+                                                        {"aero", "air"},
+                                                        {"thrust", "thrust"},
+                                                        {"grade", "grade"},
+                                                        {"residual", "residual, relative"}};
+  const auto found = names.find(key);
+  if (found != names.end()) return found->second;
+  std::string words = key;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string coverage_text(const simulation::CoverageSummary& coverage) {
+  auto text = percent(coverage.inside, 1) + " of the time inside";
+  const auto add = [&](double share, const char* what) {
+    if (share > 0) text += fmt::format("; {} {}", what, percent(share, 1));
+  };
+  add(coverage.speed_below, "speed below the range");
+  add(coverage.depth_outside, "bed depth outside");
+  add(coverage.penetration_outside, "penetration outside");
+  return text;
+}
+
+std::string headline(const OverrunRecord& record, UnitSystem units) {
+  return fmt::format("{} leaves the runway into \"{}\", {} at the bed's edge", record.model.aircraft.name,
+                     record.model.bed.name, shown(record.result.entry_speed, measure::speed, units));
+}
+
+std::string brief(const OverrunRecord& record, UnitSystem units) {
+  const auto& result = record.result;
+  auto out = headline(record, units) + "\n";
+  out +=
+      fmt::format("  mass {}, centre of gravity {} behind the nose gear\n\n", shown(result.mass, measure::mass, units),
+                  shown(result.cg_behind_nose_gear, measure::distance, units));
+  add_outcome(out, record, units);
+  add_gears(out, record, units);
+  add_energy(out, record, units);
+  out += "\n";
+  for (const auto& coverage : result.coverage)
+    out += fmt::format("  load table     {:<6}{}: {}\n", coverage.gear, coverage.tire, coverage_text(coverage));
+  const auto& solver = result.solver;
+  out += fmt::format("  solver         {}, rtol {:.0e}: {} steps, {} right-hand sides, {:.3f} s\n", solver.method,
+                     solver.rtol, number(static_cast<double>(solver.steps), 0),
+                     number(static_cast<double>(solver.rhs_calls), 0), solver.wall_s);
+  for (const auto& file : record.manifest.files)
+    out += fmt::format("  {:<15}{}  sha256 {}\n", file.role, file.path, file.sha256.substr(0, 12));
+  return out;
+}
+
+}  // namespace apc::report

@@ -1,0 +1,23 @@
+/// The short report of one overrun for a terminal: warnings first, then outcome, margins, energy, coverage, solver,
+/// inputs.
+#pragma once
+
+#include <string>
+
+#include "apc/report/record.h"
+#include "apc/report/unit_system.h"
+
+namespace apc::report {
+
+std::string brief(const OverrunRecord&, UnitSystem);
+
+/// One sentence: "B737-800 leaves the runway at 70.0 kt into "demo bed"".
+std::string headline(const OverrunRecord&, UnitSystem);
+
+/// What a key of Result::energy means to a reader: "oleo_damping" → "strut damping".
+std::string energy_name(const std::string& key);
+
+/// Coverage in words: "97 % of the time inside; speed below the range 3 %".
+std::string coverage_text(const simulation::CoverageSummary&);
+
+}  // namespace apc::report

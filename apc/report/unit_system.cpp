@@ -1,0 +1,47 @@
+#include "apc/report/unit_system.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "apc/base/units.h"
+
+namespace apc::report {
+
+namespace u = units;
+
+namespace measure {
+const Measure speed{{"kt", u::kt, 1}, {"m/s", 1.0, 2}};
+const Measure distance{{"ft", u::ft, 1}, {"m", 1.0, 2}};
+const Measure depth{{"in", u::in, 1}, {"mm", u::mm, 0}};
+const Measure force{{"lbf", u::lbf, 0}, {"kN", u::kN, 1}};
+const Measure mass{{"lb", u::lb, 0}, {"kg", 1.0, 0}};
+const Measure acceleration{{"g", u::g0, 3}, {"m/s²", 1.0, 2}};
+const Measure angle{{"deg", u::deg, 2}, {"deg", u::deg, 2}};
+const Measure time{{"s", 1.0, 2}, {"s", 1.0, 2}};
+const Measure energy{{"10⁶ lbf ft", 1e6 * u::lbf* u::ft, 2}, {"MJ", u::MJ, 2}};
+const Measure pressure{{"psi", u::psi, 0}, {"kPa", u::kPa, 0}};
+const Measure density{{"pcf", u::pcf, 1}, {"kg/m³", 1.0, 0}};
+const Measure volume{{"cu yd", 27.0 * u::ft* u::ft* u::ft, 0}, {"m³", 1.0, 0}};
+}  // namespace measure
+
+std::string number(double value, int digits) {
+  if (!std::isfinite(value)) return "-";
+  char plain[64];
+  std::snprintf(plain, sizeof plain, "%.*f", digits, value);
+  std::string text = plain;
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') text.erase(0, 1);  // no "-0.0"
+  const auto first = text.front() == '-' ? 1u : 0u;
+  auto end = text.find('.');
+  if (end == std::string::npos) end = text.size();
+  for (std::size_t at = end; at > first + 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+std::string shown(double value, const Measure& measure, UnitSystem system) {
+  const auto& scale = measure.in(system);
+  return number(value / scale.factor, scale.digits) + " " + scale.unit;
+}
+
+std::string percent(double share, int digits) { return number(100.0 * share, digits) + " %"; }
+
+}  // namespace apc::report
