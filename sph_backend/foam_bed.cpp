@@ -1,0 +1,240 @@
+#include "sph_backend/foam_bed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sph_backend/kernel.h"
+#include "sph_backend/pair_kernels.h"
+
+namespace apc::sph {
+namespace {
+
+int layers(const Bed& bed) { return static_cast<int>(std::lround(bed.spec.depth / bed.layer)); }
+int rows(const Bed& bed) { return static_cast<int>(std::lround(bed.half_width / bed.spec.spacing)); }
+
+void append_column(Bed& bed, int column) {
+  Particles& p = bed.particles;
+  for (int j = 0; j < rows(bed); ++j)
+    for (int k = 0; k < layers(bed); ++k) {
+      const std::size_t i = p.size();
+      for_each_field(p, [i](auto& field) { field.resize(i + 1); });
+      p.x[i] = column_position(bed.spec, column);
+      p.y[i] = (j + 0.5) * bed.spec.spacing;
+      p.z[i] = (k + 0.5) * bed.layer;
+      p.stretch[i] = 1.0f;
+      p.id[i] = bed.next_id++;
+      p.column[i] = column;
+      p.layer_hold[i] = bed.spec.hold_bottom && k == 0 ? hold_x | hold_y : free_to_move;
+    }
+}
+
+void fill_records(Bed& bed, int first, int last) {
+  using namespace record;
+  const Particles& p = bed.particles;
+  Neighbours& n = bed.neighbours;
+  const double h0 = smoothing_ratio * bed.spec.spacing;
+  const float inverse_h0 = static_cast<float>(1.0 / h0), most = static_cast<float>(1.0 / smoothing_floor);
+  const float a0 =
+      static_cast<float>(0.5 * bed.mass * bed.spec.alpha * bed.spec.foam.sound_speed() / bed.spec.foam.density);
+  const float b0 = static_cast<float>(0.5 * bed.mass * bed.spec.beta / bed.spec.foam.density);
+  const float v0 = static_cast<float>(bed.volume0);
+  for (int i = first; i < last; ++i) {
+    float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+    const float s = p.stretch[i], ratio = 1.0f / (s * s * s);
+    r[x] = static_cast<float>(p.x[i] - n.grid.origin[0]);
+    r[y] = static_cast<float>(p.y[i] - n.grid.origin[1]);
+    r[z] = static_cast<float>(p.z[i] - n.grid.origin[2]);
+    r[vx] = static_cast<float>(p.vx[i]), r[vy] = static_cast<float>(p.vy[i]), r[vz] = static_cast<float>(p.vz[i]);
+    r[inverse_h] = inverse_h0 * std::min(std::max(s, 1.0f), most);
+    r[visc_a] = a0 * ratio * std::sqrt(ratio);
+    r[visc_b] = b0 * ratio;
+    r[volume] = v0 * ratio;
+  }
+}
+
+void fill_stress_records(Bed& bed) {
+  const Particles& p = bed.particles;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const float s = p.stretch[i], v = static_cast<float>(bed.volume0) / (s * s * s);
+    for (int c = 0; c < 6; ++c)
+      bed.neighbours.records[i * record::size + record::sxx + c] =
+          p.stress[c][i] * (v * v / static_cast<float>(bed.mass));
+  }
+}
+
+void renew_neighbours(Bed& bed) {
+  Neighbours& n = bed.neighbours;
+  n.grid.origin[0] = bed.spec.first_column * bed.spec.spacing;
+  sort_particles(bed.particles, n.grid, bed.spec.first_column);
+  n.records.assign(bed.particles.size() * record::size, 0.0f);
+  fill_records(bed, 0, static_cast<int>(bed.particles.size()));
+  fill_stress_records(bed);
+  build_lists(n, bed.particles, *bed.team);
+  for (auto& a : bed.acceleration) a.assign(bed.particles.size(), 0.0f);
+  bed.alive = static_cast<int>(
+      std::count_if(bed.particles.id.begin(), bed.particles.id.end(), [](std::int32_t id) { return id >= 0; }));
+  ++bed.rebuilds;
+}
+
+PairWork pair_work(Bed& bed) {
+  Particles& p = bed.particles;
+  Neighbours& n = bed.neighbours;
+  const Foam& foam = bed.spec.foam;
+  PairWork w{};
+  w.records = n.records.data(), w.neighbour = n.list.data(), w.first = n.first.data();
+  w.stretch = p.stretch.data(), w.work = p.work.data();
+  for (int c = 0; c < 6; ++c) w.stress[c] = p.stress[c].data();
+  for (int a = 0; a < 3; ++a) w.acceleration[a] = bed.acceleration[a].data();
+  w.internal = n.internal.data(), w.viscous = n.viscous.data(), w.damped = n.damped.data();
+  w.yield = bed.yield.stress.data(), w.yield_intervals = YieldTable::intervals, w.yield_lowest = bed.yield.lowest;
+  w.tension_cutoff = static_cast<float>(foam.tension_cutoff);
+  w.dt = static_cast<float>(bed.dt);
+  w.lame_lambda = static_cast<float>(foam.lame_lambda()), w.shear_modulus = static_cast<float>(foam.shear_modulus());
+  w.poisson_ratio = static_cast<float>(foam.poisson_ratio);
+  w.volume0 = static_cast<float>(bed.volume0), w.mass = static_cast<float>(bed.mass);
+  w.damping = static_cast<float>(foam.sound_speed() * foam.density * foam.damping * bed.spec.spacing);
+  return w;
+}
+
+double total(const std::vector<double>& parts) {
+  double sum = 0.0;
+  for (const double part : parts) sum += part;
+  return sum;
+}
+
+}  // namespace
+
+Bed make_bed(const BedSpec& spec) {
+  Bed bed;
+  bed.spec = spec;
+  bed.team = std::make_shared<Team>(spec.threads);
+  bed.layer = spec.depth / std::max(1.0, std::round(spec.depth / spec.spacing));
+  bed.half_width = spec.spacing * std::max(1.0, std::round(spec.half_width / spec.spacing));
+  bed.volume0 = spec.spacing * spec.spacing * bed.layer;
+  bed.mass = spec.foam.density * bed.volume0;
+  bed.yield = tabulate(spec.foam);
+  const double h0 = smoothing_ratio * spec.spacing;
+  bed.dt = spec.cfl * h0 / (spec.foam.sound_speed() + spec.speed);
+
+  NeighbourGrid& grid = bed.neighbours.grid;
+  grid.spacing = spec.spacing, grid.support = 2.0 * h0, grid.dt = bed.dt;
+  grid.extent[0] = spec.columns * spec.spacing, grid.extent[1] = bed.half_width;
+  grid.planes.push_back({1, 0.0, +1});
+  if (spec.outer_wall) grid.planes.push_back({1, bed.half_width, -1});
+  if (spec.mirror_ends) {
+    grid.planes.push_back({0, spec.first_column * spec.spacing, +1});
+    grid.planes.push_back({0, (spec.first_column + spec.columns) * spec.spacing, -1});
+  }
+  grid.planes.push_back({2, 0.0, +1});
+
+  for (int c = 0; c < spec.columns; ++c) append_column(bed, spec.first_column + c);
+  move_window(bed, spec.first_column, spec.first_column + spec.columns);
+  return bed;
+}
+
+void move_window(Bed& bed, int first_column, int end_column) {
+  Particles& p = bed.particles;
+  for (int c = bed.spec.first_column + bed.spec.columns; c < end_column; ++c) append_column(bed, c);
+  bed.spec.first_column = first_column, bed.spec.columns = end_column - first_column;
+  bed.neighbours.grid.extent[0] = bed.spec.columns * bed.spec.spacing;
+  const int first_free = first_column + bed.spec.held_columns;
+  const int first_ahead = end_column - bed.spec.held_columns;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.id[i] < 0) continue;
+    const bool held = !bed.spec.mirror_ends && (p.column[i] < first_free || p.column[i] >= first_ahead);
+    if (held) {
+      bed.energy.removed += 0.5 * bed.mass * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
+      p.vx[i] = p.vy[i] = p.vz[i] = 0.0;
+    }
+    p.hold[i] = held ? std::uint8_t{hold_all} : p.layer_hold[i];
+  }
+  renew_neighbours(bed);
+}
+
+void drift(Bed& bed) {
+  Particles& p = bed.particles;
+  Neighbours& n = bed.neighbours;
+  const int count = static_cast<int>(p.size());
+  std::atomic<bool> outrun{false};
+  bed.team->run(count, 1024, [&](int first, int last) {
+    bool far = false;
+    for (int i = first; i < last; ++i)
+      p.x[i] += bed.dt * p.vx[i], p.y[i] += bed.dt * p.vy[i], p.z[i] += bed.dt * p.vz[i];
+    fill_records(bed, first, last);
+    for (int i = first; i < last; ++i) {
+      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+      const float dx = r[0] - n.built_at[3 * i], dy = r[1] - n.built_at[3 * i + 1], dz = r[2] - n.built_at[3 * i + 2];
+      far |= dx * dx + dy * dy + dz * dz > n.reach[i] * n.reach[i];
+    }
+    if (far) outrun = true;
+  });
+  bed.time += bed.dt;
+  ++bed.steps;
+  bed.particle_steps += bed.alive;
+  if (outrun)
+    renew_neighbours(bed);
+  else
+    refresh_motion(n.records, p.size(), n.images);
+}
+
+void strain(Bed& bed) {
+  const PairWork work = pair_work(bed);
+  const auto& kernels = pair_kernels();
+  bed.team->run(bed.neighbours.clusters, 4, [&](int first, int last) { kernels.strain(work, first, last); });
+  refresh_stress(bed.neighbours.records, bed.particles.size(), bed.neighbours.images);
+  bed.energy.internal += total(bed.neighbours.internal);
+  bed.energy.damping += total(bed.neighbours.damped);
+}
+
+void accelerate(Bed& bed) {
+  const PairWork work = pair_work(bed);
+  const auto& kernels = pair_kernels();
+  bed.team->run(bed.neighbours.clusters, 4, [&](int first, int last) { kernels.accelerate(work, first, last); });
+  bed.energy.viscous += total(bed.neighbours.viscous);
+}
+
+void kick(Bed& bed) {
+  Particles& p = bed.particles;
+  double twice = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.hold[i] == hold_all) continue;
+    if (!(p.hold[i] & hold_x)) p.vx[i] += bed.dt * bed.acceleration[0][i];
+    if (!(p.hold[i] & hold_y)) p.vy[i] += bed.dt * bed.acceleration[1][i];
+    if (!(p.hold[i] & hold_z)) p.vz[i] += bed.dt * bed.acceleration[2][i];
+    twice += p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
+  }
+  bed.energy.kinetic = 0.5 * bed.mass * twice;
+}
+
+BedState inspect(const Bed& bed) {
+  const Neighbours& n = bed.neighbours;
+  BedState state;
+  state.partition_min = 1.0;
+  double sum = 0.0;
+  int counted = 0;
+  for (int c = 0; c < n.clusters; ++c)
+    for (int i = c * lanes; i < (c + 1) * lanes; ++i) {
+      if (bed.particles.id[i] < 0) continue;
+      const double s = bed.particles.stretch[i], compaction = 1.0 - 1.0 / (s * s * s);
+      state.compaction = std::max(state.compaction, compaction);
+      if (compaction < 0.5) continue;
+      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+      double partition = 0.0;
+      for (std::uint32_t k = n.first[c]; k < n.first[c + 1]; ++k) {
+        const float* q = &n.records[static_cast<std::size_t>(n.list[k]) * record::size];
+        const double g = 0.5 * (r[record::inverse_h] + q[record::inverse_h]);
+        partition += q[record::volume] * kernel(std::hypot(r[0] - q[0], r[1] - q[1], r[2] - q[2]), g);
+      }
+      state.partition_min = std::min(state.partition_min, partition);
+      sum += partition, ++counted;
+    }
+  state.partition_mean = counted > 0 ? sum / counted : 1.0;
+  double bytes = 0.0;
+  for_each_field(bed.particles, [&](const auto& field) { bytes += sizeof(field[0]) * field.size(); });
+  bytes += sizeof(float) * (n.records.size() + n.reach.size() + n.built_at.size() + 3.0 * bed.acceleration[0].size());
+  bytes += sizeof(Image) * n.images.size() + sizeof(std::uint32_t) * (n.list.size() + n.first.size());
+  state.bytes_per_particle = bytes / std::max(1, bed.alive);
+  return state;
+}
+
+}  // namespace apc::sph

@@ -1,0 +1,43 @@
+/// Order of the particles and the neighbour list of every cluster.
+///
+/// The plan view is cut into square cells of two spacings; the particles of a cell are sorted by height and cut into
+/// clusters of 16, so a cluster stays compact when the foam is crushed vertically. A list holds whatever may come
+/// within reach of any of the 16 before the next renewal: every particle may travel its own `reach`, chosen from its
+/// speed, so the list is tight where the foam rests and generous under the wheel. A list is renewed when a particle
+/// outruns its reach.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sph_backend/mirror.h"
+#include "sph_backend/particles.h"
+
+namespace apc::sph {
+
+struct NeighbourGrid {
+  double spacing = 0.0;
+  double origin[3] = {0.0, 0.0, 0.0};  ///< positions in records are relative to it, so that floats resolve them
+  double extent[2] = {0.0, 0.0};       ///< of the block in x and y, from the origin
+  double support = 0.0;                ///< largest 2h
+  double dt = 0.0;
+  std::vector<MirrorPlane> planes;
+};
+
+struct Neighbours {
+  NeighbourGrid grid;
+  int clusters = 0;
+  std::vector<float> records;  ///< particles (padded), then images
+  std::vector<Image> images;
+  std::vector<std::uint32_t> list, first;         ///< of each cluster
+  std::vector<float> reach;                       ///< per record
+  std::vector<float> built_at;                    ///< positions at renewal, 3 per particle
+  std::vector<double> internal, viscous, damped;  ///< per cluster, of this step
+};
+
+/// Puts the particles into cluster order, dropping empty lanes and particles in columns below `first_column`.
+void sort_particles(Particles&, const NeighbourGrid&, int first_column);
+/// Images and lists for sorted particles whose records are filled in.
+void build_lists(Neighbours&, const Particles&, class Team&);
+
+}  // namespace apc::sph

@@ -1,0 +1,44 @@
+/// A rolling run under way: everything that changes, as one value, and one step of it.
+#pragma once
+
+#include "sph_backend/energy.h"
+#include "sph_backend/foam_bed.h"
+#include "sph_backend/tire.h"
+#include "sph_backend/tire_contact.h"
+#include "sph_backend/tire_rig.h"
+#include "sph_backend/wheel_path.h"
+
+namespace apc::sph {
+
+/// Sums since the last bin of the history was closed.
+struct RollingSums {
+  double drag = 0.0, vertical = 0.0, spin = 0.0, deflection = 0.0;
+  double steps = 0.0, distance = 0.0, internal = 0.0;
+};
+
+struct RollingRun {
+  RollingCase setup;  ///< with every default written out
+  Bed bed;
+  Tire tire;
+  WheelPath path;
+  ContactLaw law;
+  EnergyAccount energy;
+  RollingSums sums;
+  RollingHistory history;
+  std::vector<double> internal;  ///< foam internal energy at the end of each bin
+  ContactResult contact;
+
+  double radius() const { return 0.5 * setup.tire.diameter; }
+  double bin() const { return 0.25 * setup.window; }
+};
+
+/// `setup` with the zeros replaced by the defaults they stand for; InputError for a senseless case.
+RollingCase completed(const RollingCase& setup);
+
+RollingRun start_run(const RollingCase& completed, unsigned threads);
+void step(RollingRun&);
+
+/// Crushed surface behind the tire.
+double rut_depth(const RollingRun&);
+
+}  // namespace apc::sph

@@ -1,0 +1,44 @@
+#include "sph_backend/team.h"
+
+#include <algorithm>
+
+namespace apc::sph {
+
+Team::Team(unsigned threads) {
+  for (unsigned t = 1; t < threads; ++t)
+    workers_.emplace_back([this] {
+      unsigned seen = 0;
+      while (true) {
+        int spins = 0;
+        while (round_.load(std::memory_order_acquire) == seen) {
+          if (leave_.load(std::memory_order_relaxed)) return;
+          if (++spins > 2000) std::this_thread::yield();
+        }
+        seen = round_.load(std::memory_order_acquire);
+        drain();
+        busy_.fetch_sub(1, std::memory_order_release);
+      }
+    });
+}
+
+Team::~Team() { leave_ = true; }
+
+void Team::drain() {
+  for (int first = next_.fetch_add(piece_); first < count_; first = next_.fetch_add(piece_))
+    (*work_)(first, std::min(first + piece_, count_));
+}
+
+void Team::run(int count, int piece, const std::function<void(int, int)>& work) {
+  if (workers_.empty() || count <= piece) {
+    if (count > 0) work(0, count);
+    return;
+  }
+  work_ = &work, count_ = count, piece_ = piece;
+  next_.store(0, std::memory_order_relaxed);
+  busy_.store(static_cast<int>(workers_.size()), std::memory_order_relaxed);
+  round_.fetch_add(1, std::memory_order_release);
+  drain();
+  while (busy_.load(std::memory_order_acquire) > 0) std::this_thread::yield();
+}
+
+}  // namespace apc::sph

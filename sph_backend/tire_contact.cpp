@@ -1,0 +1,138 @@
+#include "sph_backend/tire_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace apc::sph {
+namespace {
+
+double contact_radius(const Bed& bed, float stretch) {
+  return 0.5 * bed.layer / (static_cast<double>(stretch) * stretch * stretch);
+}
+
+double stiffness(const Bed& bed, const ContactLaw& law) {
+  return law.stiffness_factor * bed.spec.foam.youngs_modulus * bed.spec.spacing;
+}
+
+/// Deflection and its slopes at material angle φ and lateral place y (bilinear), with the weights of the four nodes.
+struct Deflection {
+  double u, du_dphi, du_dy;
+  std::size_t nodes[4];
+  double weights[4];
+};
+
+Deflection deflection_at(const Tire& tire, double phi, double y) {
+  const double dphi = 2.0 * std::numbers::pi / tire.grid.around, dy = tire.outline.lateral / tire.grid.across;
+  double turn = phi / dphi;
+  turn -= std::floor(turn / tire.grid.around) * tire.grid.around;
+  const int i = std::min(static_cast<int>(turn), tire.grid.around - 1), next = i + 1 == tire.grid.around ? 0 : i + 1;
+  const double place = std::min(y / dy, static_cast<double>(tire.grid.across));
+  const int j = std::min(static_cast<int>(place), tire.grid.across - 1);
+  const double f = turn - i, g = place - j;
+  Deflection d;
+  d.nodes[0] = tire.node(i, j), d.nodes[1] = tire.node(next, j);
+  d.nodes[2] = tire.node(i, j + 1), d.nodes[3] = tire.node(next, j + 1);
+  d.weights[0] = (1 - f) * (1 - g), d.weights[1] = f * (1 - g), d.weights[2] = (1 - f) * g, d.weights[3] = f * g;
+  const double u0 = tire.u[d.nodes[0]], u1 = tire.u[d.nodes[1]], u2 = tire.u[d.nodes[2]], u3 = tire.u[d.nodes[3]];
+  d.u = d.weights[0] * u0 + d.weights[1] * u1 + d.weights[2] * u2 + d.weights[3] * u3;
+  d.du_dphi = ((u1 - u0) * (1 - g) + (u3 - u2) * g) / dphi;
+  d.du_dy = place >= tire.grid.across ? 0.0 : ((u2 - u0) * (1 - f) + (u3 - u1) * f) / dy;
+  return d;
+}
+
+}  // namespace
+
+void apply_contact(Bed& bed, Tire& tire, const AxleState& axle, const ContactLaw& law, ContactResult& result) {
+  const Particles& p = bed.particles;
+  const double outer = 0.5 * tire.shape.diameter + 0.5 * bed.layer, side = tire.outline.lateral + 0.5 * bed.layer;
+  const double k = stiffness(bed, law), c = 2.0 * law.damping_ratio * std::sqrt(k * bed.mass);
+  result.force_x = result.force_z = result.torque = 0.0;
+  result.touches.clear();
+  std::fill(tire.force.begin(), tire.force.end(), 0.0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double dx = p.x[i] - axle.x, dz = p.z[i] - axle.z, r2 = dx * dx + dz * dz;
+    if (r2 > outer * outer || p.y[i] > side || p.id[i] < 0) continue;
+    const double reach = contact_radius(bed, p.stretch[i]), y = std::abs(p.y[i]);
+    const double r = std::max(std::sqrt(r2), 1e-9);
+    const double er_x = dx / r, er_z = dz / r, ea_x = -er_z, ea_z = er_x;  // α from downwards towards +x
+    const Deflection d = deflection_at(tire, std::atan2(dx, -dz) + tire.angle, y);
+    const SectionPoint s = tire.outline.at(r - tire.outline.centre + d.u, y);
+    const double overlap = reach - s.distance;
+    if (overlap <= 0.0) continue;
+
+    Touch t;
+    t.particle = static_cast<std::uint32_t>(i);
+    t.overlap = overlap, t.radius = r, t.normal_radial = s.normal_radial;
+    t.e_radial[0] = er_x, t.e_radial[1] = er_z;
+    std::copy(d.nodes, d.nodes + 4, t.nodes), std::copy(d.weights, d.weights + 4, t.weights);
+    const double along = s.normal_radial * d.du_dphi / r;
+    t.gradient[0] = s.normal_radial * er_x + along * ea_x;
+    t.gradient[1] = s.normal_lateral + s.normal_radial * d.du_dy;
+    t.gradient[2] = s.normal_radial * er_z + along * ea_z;
+
+    // Velocity relative to the rigidly turning wheel, and to its deflecting surface.
+    const double rel[3] = {p.vx[i] - axle.vx + tire.spin * r * ea_x, p.vy[i], p.vz[i] - axle.vz + tire.spin * r * ea_z};
+    double sinking = 0.0;
+    for (int n = 0; n < 4; ++n) sinking += d.weights[n] * tire.rate[d.nodes[n]];
+    const double gap_rate =
+        t.gradient[0] * rel[0] + t.gradient[1] * rel[1] + t.gradient[2] * rel[2] + s.normal_radial * sinking;
+    t.elastic = k * overlap;
+    t.damping = std::max(-c * gap_rate, -t.elastic);
+    const double normal = t.elastic + t.damping;
+
+    const double size = std::hypot(t.gradient[0], t.gradient[1], t.gradient[2]);
+    const double slip[3] = {rel[0] + sinking * er_x, rel[1], rel[2] + sinking * er_z};
+    double through = 0.0;
+    for (int a = 0; a < 3; ++a) through += slip[a] * t.gradient[a] / size;
+    double tangent[3], speed2 = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      tangent[a] = slip[a] - through * t.gradient[a] / size;
+      speed2 += tangent[a] * tangent[a];
+    }
+    // Never more than would stop a third of the slip within the step: keeps light particles from being shaken.
+    const double drag =
+        std::min(law.friction * normal * size / std::max(std::sqrt(speed2), law.slip_speed), 0.3 * bed.mass / bed.dt);
+    for (int a = 0; a < 3; ++a) {
+      t.friction[a] = -drag * tangent[a];
+      t.force[a] = normal * t.gradient[a] + t.friction[a];
+      bed.acceleration[a][i] += static_cast<float>(t.force[a] / bed.mass);
+    }
+    const double friction_radial = t.friction[0] * er_x + t.friction[2] * er_z;
+    for (int n = 0; n < 4; ++n) tire.force[d.nodes[n]] += d.weights[n] * (normal * s.normal_radial + friction_radial);
+    result.force_x -= t.force[0], result.force_z -= t.force[2];
+    result.torque += r * (t.force[0] * ea_x + t.force[2] * ea_z);
+    result.touches.push_back(t);
+  }
+}
+
+ContactWork book_contact(const Bed& bed, const Tire& tire, const AxleState& axle, const ContactLaw& law,
+                         const ContactResult& result, const std::vector<double>& before,
+                         const std::vector<float>& stretch_before, double mean_spin,
+                         const std::vector<double>& mean_rate) {
+  ContactWork work;
+  const Particles& p = bed.particles;
+  const double k = stiffness(bed, law);
+  (void)tire;
+  for (std::size_t n = 0; n < result.touches.size(); ++n) {
+    const Touch& t = result.touches[n];
+    const std::size_t i = t.particle;
+    const double ea[2] = {-t.e_radial[1], t.e_radial[0]};
+    const double rel[3] = {0.5 * (p.vx[i] + before[3 * n]) - axle.vx + mean_spin * t.radius * ea[0],
+                           0.5 * (p.vy[i] + before[3 * n + 1]),
+                           0.5 * (p.vz[i] + before[3 * n + 2]) - axle.vz + mean_spin * t.radius * ea[1]};
+    double sinking = 0.0;
+    for (int m = 0; m < 4; ++m) sinking += t.weights[m] * mean_rate[t.nodes[m]];
+    const double gap_rate =
+        t.gradient[0] * rel[0] + t.gradient[1] * rel[1] + t.gradient[2] * rel[2] + t.normal_radial * sinking;
+    work.on_axle += bed.dt * (t.force[0] * axle.vx + t.force[2] * axle.vz);
+    work.penalty += 0.5 * k * t.overlap * t.overlap;
+    work.damping -= bed.dt * t.damping * gap_rate;
+    work.friction -= bed.dt * (t.friction[0] * (rel[0] + sinking * t.e_radial[0]) + t.friction[1] * rel[1] +
+                               t.friction[2] * (rel[2] + sinking * t.e_radial[1]));
+    work.radius -= t.elastic * (contact_radius(bed, p.stretch[i]) - contact_radius(bed, stretch_before[i]));
+  }
+  return work;
+}
+
+}  // namespace apc::sph

@@ -1,0 +1,65 @@
+/// Contact of foam particles with the deformed surface of a spinning tire.
+///
+///   gap g = distance of the particle from the section deflected by u(φ, y);  overlap δ = r_c − g, r_c = ½ layer ρ0/ρ
+///   normal force N = k δ − c ġ ≥ 0 along ∇g, which contains the slopes of u: the force is the exact gradient of ½ k δ²
+///   friction −μ N v_t/max(|v_t|, v_slip) on the relative tangential velocity, spin included
+/// The reaction on the tire does work on the axle (F·v), on the spin (r F_α ω) and on the nodes (n_r N, friction's
+/// radial part); the same weights interpolate u and spread the reaction, so no energy is made or lost in between. The
+/// contact radius shrinks as the particle is compacted; what that releases is booked as radius work.
+#pragma once
+
+#include <vector>
+
+#include "sph_backend/foam_bed.h"
+#include "sph_backend/tire.h"
+
+namespace apc::sph {
+
+struct ContactLaw {
+  double stiffness_factor = 2.0;  ///< k = factor · E · spacing
+  double damping_ratio = 0.1;     ///< c = 2 ζ √(k m)
+  double friction = 0.3;          ///< Coulomb coefficient of tire on foam
+  double slip_speed = 0.0;        ///< v_slip, m/s: below it friction is viscous
+};
+
+struct AxleState {
+  double x = 0.0, z = 0.0, vx = 0.0, vz = 0.0;
+};
+
+/// One particle in contact in this step.
+struct Touch {
+  std::uint32_t particle;
+  double force[3];  ///< on the particle, N
+  double overlap;   ///< δ
+  double elastic;   ///< k δ
+  double damping;   ///< −c ġ as applied
+  double friction[3];
+  double gradient[3];    ///< ∇g in x, y, z
+  double e_radial[2];    ///< outward radial direction in x, z
+  double radius;         ///< r
+  double normal_radial;  ///< ∂g/∂u
+  std::size_t nodes[4];
+  double weights[4];
+};
+
+struct ContactResult {
+  double force_x = 0.0, force_z = 0.0;  ///< of the foam on the half tire, N
+  double torque = 0.0;                  ///< about the axle, spinning up positive
+  std::vector<Touch> touches;
+};
+
+/// Finds contacts, adds to bed.acceleration and to tire.force.
+void apply_contact(Bed&, Tire&, const AxleState&, const ContactLaw&, ContactResult&);
+
+struct ContactWork {
+  double on_axle = 0.0;  ///< work of the axle against the foam in this step
+  double penalty = 0.0;  ///< stored now
+  double damping = 0.0, friction = 0.0, radius = 0.0;
+};
+/// Work of one step; call after `kick`, with the velocities before it in `before` (3 per touch), the contact radii of
+/// the last step in `stretch_before`, and the mean spin and node rates of the step.
+ContactWork book_contact(const Bed&, const Tire&, const AxleState&, const ContactLaw&, const ContactResult&,
+                         const std::vector<double>& before, const std::vector<float>& stretch_before, double mean_spin,
+                         const std::vector<double>& mean_rate);
+
+}  // namespace apc::sph

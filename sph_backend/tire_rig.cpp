@@ -1,0 +1,176 @@
+#include "sph_backend/tire_rig.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "apc/base/require.h"
+#include "apc/base/units.h"
+#include "sph_backend/rolling_run.h"
+
+namespace apc::sph {
+namespace {
+
+double mean_of_last(const std::vector<double>& values, std::size_t bins, std::size_t skip = 0) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < bins; ++k) sum += values[values.size() - 1 - skip - k];
+  return sum / static_cast<double>(bins);
+}
+
+constexpr std::size_t bins_per_window = 4;
+
+/// Last two windows against each other.
+void measure(const RollingRun& run, RollingResult& result) {
+  const RollingHistory& h = run.history;
+  const std::size_t n = std::min(bins_per_window, h.drag.size() / 2);
+  if (n == 0) return;
+  const double d1 = mean_of_last(h.drag, n), d0 = mean_of_last(h.drag, n, n);
+  const double v1 = mean_of_last(h.vertical, n), v0 = mean_of_last(h.vertical, n, n);
+  const double s1 = mean_of_last(h.spin_ratio, n), s0 = mean_of_last(h.spin_ratio, n, n);
+  result.drag = 0.5 * (d0 + d1), result.vertical = 0.5 * (v0 + v1), result.spin_ratio = 0.5 * (s0 + s1);
+  result.tire_deflection = mean_of_last(h.deflection, 2 * n);
+  const double size = std::max({std::abs(result.drag), std::abs(result.vertical), 1e-9});
+  result.drag_change = (d1 - d0) / size, result.vertical_change = (v1 - v0) / size, result.spin_change = s1 - s0;
+  const std::size_t last = run.internal.size() - 1;
+  if (last >= 2 * n)
+    result.internal_energy_rate =
+        2.0 * (run.internal[last] - run.internal[last - 2 * n]) / (h.distance[last] - h.distance[last - 2 * n]);
+}
+
+bool settled(const RollingCase& setup, const RollingResult& r) {
+  return std::abs(r.drag_change) < setup.load_tolerance && std::abs(r.vertical_change) < setup.load_tolerance &&
+         std::abs(r.spin_change) < setup.spin_tolerance;
+}
+
+/// A reason to end the run early, or nothing.
+bool failed(const RollingRun& run, RollingResult& result) {
+  const BedState state = inspect(run.bed);
+  const double kinetic = run.bed.energy.kinetic;
+  if (!std::isfinite(kinetic) || !std::isfinite(run.contact.force_z) || state.compaction > 0.985) {
+    result.state = RunState::unstable;
+    result.message = concat("unstable at ", run.bed.time, " s: compaction ", state.compaction, ", kinetic energy ",
+                            kinetic, " J. Try a smaller cfl or a finer spacing.");
+    return true;
+  }
+  const double limit = run.setup.tire_overload * run.setup.tire.bottoming_load;
+  if (run.history.vertical.empty()) return false;
+  const double load = run.history.vertical.back(), deflection = run.history.deflection.back();
+  if (load > limit || deflection > catalogue_deflection(run.setup.tire, limit)) {
+    result.state = RunState::tire_overloaded;
+    result.message = concat("tire overloaded: ", load / units::lbf, " lbf, ", deflection / units::in, " in; limit ",
+                            limit / units::lbf, " lbf (", run.setup.tire_overload, " of bottoming)");
+    return true;
+  }
+  return false;
+}
+
+void finish(const RollingRun& run, RollingResult& result) {
+  measure(run, result);
+  result.energy = run.energy;
+  result.energy.tire_stored = stored_energy(run.tire);
+  result.energy.tire_kinetic = tread_kinetic_energy(run.tire);
+  result.residual = result.energy.residual();
+  result.rut_depth = rut_depth(run);
+  const GasState gas = gas_state(run.tire);
+  result.gas_pressure = gas.pressure, result.gas_volume_change = gas.volume_change;
+  const BedState state = inspect(run.bed);
+  result.compaction = state.compaction;
+  result.partition_min = state.partition_min, result.partition_mean = state.partition_mean;
+  result.bytes_per_particle = state.bytes_per_particle;
+  result.particles = run.bed.alive, result.steps = static_cast<double>(run.bed.steps);
+  result.particle_steps = static_cast<double>(run.bed.particle_steps);
+  result.history = run.history;
+  const Particles& p = run.bed.particles;
+  const double at = run.path.at(run.bed.time).x - 0.55 * run.radius();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.id[i] < 0 || std::abs(p.x[i] - at) > run.setup.spacing) continue;
+    const double s = p.stretch[i];
+    result.section_y.push_back(p.y[i]), result.section_z.push_back(p.z[i]);
+    result.section_compaction.push_back(1.0 - 1.0 / (s * s * s));
+  }
+}
+
+}  // namespace
+
+const char* name_of(RunState state) {
+  switch (state) {
+    case RunState::steady:
+      return "steady";
+    case RunState::did_not_settle:
+      return "did_not_settle";
+    case RunState::tire_overloaded:
+      return "tire_overloaded";
+    default:
+      return "unstable";
+  }
+}
+
+RollingCase completed(const RollingCase& given) {
+  RollingCase c = given;
+  using units::in;
+  const double radius = 0.5 * c.tire.diameter;
+  require(c.speed > 0.0, "speed ", c.speed, " m/s: a rolling run needs a positive speed.");
+  require(c.spacing > 0.0, "spacing ", c.spacing / in, " in: must be positive.");
+  require(c.bed_depth >= 4.0 * c.spacing * 0.999, "bed depth ", c.bed_depth / in, " in is less than four particles of ",
+          c.spacing / in, " in. Choose a spacing of at most ", c.bed_depth / (4 * in), " in.");
+  require(c.penetration > 0.0, "penetration ", c.penetration / in, " in: must be positive.");
+  require(c.penetration <= c.tire.diameter, "penetration ", c.penetration / in, " in exceeds the tire's diameter ",
+          c.tire.diameter / in, " in.");
+  const auto fill = [](double& value, double otherwise) {
+    if (value <= 0.0) value = otherwise;
+  };
+  const double touch =
+      c.penetration < radius ? std::sqrt(radius * radius - std::pow(radius - c.penetration, 2)) : radius;
+  fill(c.bed_half_width, (0.5 + c.bed_margin) * c.tire.width);
+  fill(c.ahead, touch + std::max(0.5 * radius, 6.0 * c.spacing));
+  fill(c.behind, std::max(radius, 8.0 * c.spacing));
+  fill(c.press_speed, std::clamp(0.6 * c.speed, 2.5, 10.0));
+  fill(c.accelerate_distance, 0.5 * radius);
+  fill(c.window, radius);
+  fill(c.longest, 6.0 * radius);
+  return c;
+}
+
+RollingResult roll(const RollingCase& given, const RollOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const auto begin = Clock::now();
+  RollingRun run = start_run(completed(given), options.threads);
+  const RollingCase& setup = run.setup;
+  RollingResult result;
+  result.state = RunState::did_not_settle;
+  const double end = setup.accelerate_distance + setup.longest;
+  std::size_t judged = 0;
+  while (true) {
+    step(run);
+    if (run.bed.steps % 50 == 0) {
+      if (failed(run, result)) break;
+      const AxleState axle = run.path.at(run.bed.time);
+      if (options.stop && options.stop()) throw Interrupted();
+      if (options.progress)
+        options.progress(0.3 * std::min(1.0, run.bed.time / run.path.press_time) + 0.7 * axle.x / end,
+                         run.bed.time < run.path.press_time ? "pressing" : "rolling");
+      if (axle.x > end) break;
+    }
+    // Judge whenever a bin is full, from two windows behind the release on.
+    const RollingHistory& h = run.history;
+    if (h.drag.size() == judged) continue;
+    judged = h.drag.size();
+    if (h.distance.back() < setup.accelerate_distance + 2.0 * setup.window + run.bin()) continue;
+    measure(run, result);
+    if (settled(setup, result)) {
+      result.state = RunState::steady;
+      break;
+    }
+  }
+  finish(run, result);
+  if (result.state == RunState::did_not_settle)
+    result.message =
+        concat("did not settle within ", setup.longest / units::in,
+               " in: between the last two windows drag changed by ", 100.0 * result.drag_change, " %, vertical by ",
+               100.0 * result.vertical_change, " %, spin ratio by ", result.spin_change);
+  result.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  result.particle_steps_per_s = result.particle_steps / result.wall_s;
+  return result;
+}
+
+}  // namespace apc::sph
