@@ -34,10 +34,12 @@ double largest(double a, double b) { return std::max(a, b); }
 std::string in_words(const Dimension& d) {
   static const char* const base[] = {"kg", "m", "s", "K"};
   std::string text;
-  for (std::size_t i = 0; i < 4; ++i)
-    if (d.exponents[i] != 0)
-      text += (text.empty() ? "" : " ") + std::string(base[i]) +
-              (d.exponents[i] == 1 ? "" : "^" + std::to_string(d.exponents[i]));
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (d.exponents[i] == 0) continue;
+    if (!text.empty()) text += ' ';
+    text += base[i];
+    if (d.exponents[i] != 1) text += '^', text += std::to_string(d.exponents[i]);
+  }
   return text.empty() ? "no dimension" : text;
 }
 
