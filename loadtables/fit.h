@@ -7,7 +7,7 @@
 namespace apc::loadtables {
 
 struct FitOptions {
-  int speed_nodes = 13, depth_nodes = 17, ratio_nodes = 21;  ///< of the spline table
+  int speed_nodes = 8, depth_nodes = 29, ratio_nodes = 61;  ///< of the spline table
   double strength = 0.0;  ///< nominal crushing strength, Pa, for the scaling; 0 = estimated from the samples
   double rolling_resistance = 0.014;  ///< drag / vertical on the pavement row
 };

@@ -85,6 +85,12 @@ class LoadTable {
   std::shared_ptr<const Data> data_;
 };
 
+/// What a file says it is for; empty when it is no load table. Never throws for foreign content.
+struct TableHead {
+  std::string tire, material;
+};
+TableHead table_head(const std::filesystem::path&);
+
 /// Native container (HDF5). Throws InputError for truncated, foreign or other-version files.
 LoadTable load_table(const std::filesystem::path&);
 void save_table(const LoadTable&, const std::filesystem::path&);

@@ -21,6 +21,9 @@ struct SampleSet {
   std::vector<Sample> samples;
 };
 
+/// Tire and material of an exchange file; empty when the file is of another kind.
+TableHead loads_csv_head(const std::filesystem::path&);
+
 /// CSV exchange form "apc-loads/1": remarks schema, material, tire, source; columns speed, bed_depth, penetration,
 /// drag, vertical and optionally rut_depth, spin_ratio, in any order and unit. InputError with file and line otherwise.
 SampleSet read_loads_csv(const std::filesystem::path&);
