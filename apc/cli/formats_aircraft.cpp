@@ -13,6 +13,8 @@ FormatNote describe_aircraft() {
           {"schema", "text", "required", "names the format", "\"apc-aircraft/1\""},
           {"name", "text", "required", "how reports call it", "\"B737-800\""},
           {"source", "text", "required", "where each number comes from", "\"planning manual; inertia estimated\""},
+          {"sources", "object of texts", "optional, at any level", "the source of each number beside it",
+           "{\"mass\": \"design landing weight, planning manual\"}"},
           {"mass", "mass", "required", "as it overruns, unless a run gives its own", "\"65000 kg\""},
           {"ramp_mass", "mass", "optional", "design ramp mass, for the towing loads of 14 CFR 25.509", "\"79242 kg\""},
           {"landing_mass", "mass", "optional", "design landing mass, for 14 CFR 25.493", "\"66361 kg\""},

@@ -1,13 +1,12 @@
 #include "apc/cli/inputs.h"
 
-#include <algorithm>
 #include <set>
 
 #include "apc/base/file.h"
 #include "apc/base/quantity.h"
 #include "apc/base/require.h"
 #include "apc/report/sha256.h"
-#include "loadtables/fit.h"
+#include "loadtables/find_tables.h"
 
 namespace apc::cli {
 namespace fs = std::filesystem;
@@ -49,67 +48,31 @@ loadtables::TableTire table_tire(const aircraft::Tire& tire) {
           tire.load_curve.y()};
 }
 
-/// A table among the candidates of a folder, with where it came from.
-struct Candidate {
-  loadtables::LoadTable table;
-  fs::path file;
-};
-
-std::vector<Candidate> read_tables(const fs::path& folder, const aircraft::Aircraft& plane) {
-  std::error_code error;
-  require(fs::is_directory(folder, error), folder.string(),
-          ": no such folder of load tables. Name one with --loads DIR");
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
-    if (entry.is_regular_file()) paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  std::vector<Candidate> found;
-  for (const auto& path : paths) {
-    if (path.extension() == ".h5") {
-      found.push_back({loadtables::load_table(path), path});
-    } else if (path.extension() == ".csv" && read_text(path).find("apc-loads/1") != std::string::npos) {
-      const auto samples = loadtables::read_loads_csv(path);
-      const auto tire = plane.tires.find(samples.tire);
-      if (tire == plane.tires.end()) continue;  // samples of a tire this aircraft does not have
-      loadtables::Provenance provenance;
-      provenance.material = samples.material;
-      provenance.source = samples.source;
-      provenance.runs = static_cast<int>(samples.samples.size());
-      found.push_back({loadtables::fit(samples, table_tire(tire->second), provenance), path});
-    }
-  }
-  require(!found.empty(), folder.string(), ": holds no load tables (.h5, or .csv of schema apc-loads/1)");
-  return found;
-}
-
+/// One table per tire of the aircraft, in the bed's material.
 std::vector<loadtables::LoadTable> choose_tables(const fs::path& folder, const fs::path& bed_file,
                                                  const aircraft::Aircraft& plane, const std::string& material,
                                                  std::vector<report::InputFile>& files) {
-  const auto candidates = read_tables(folder, plane);
-  std::set<std::string> materials;
-  for (const auto& each : candidates) materials.insert(each.table.provenance().material);
-  if (!materials.contains(material)) {
+  const auto known = loadtables::list_tables(folder);
+  std::set<std::string> materials, needed;
+  for (const auto& file : known) materials.insert(file.material);
+  if (!known.empty() && !materials.contains(material)) {
     std::string list;
     for (const auto& each : materials) list += (list.empty() ? "" : ", ") + each;
-    const std::vector<std::string> known(materials.begin(), materials.end());
-    const auto near = nearest(material, known.data(), known.size());
+    const std::vector<std::string> names(materials.begin(), materials.end());
+    const auto near = nearest(material, names.data(), names.size());
     throw InputError(concat(bed_file.string(), " /material: \"", material, "\" has no load tables in ", folder.string(),
-                            near.empty() ? std::string() : concat(". Did you mean \"", near, "\"?"),
-                            " Materials there: ", list,
-                            ". Make tables for it with \"apc loads\", or name a folder with"
-                            " --loads DIR"));
+                            ".", near.empty() ? std::string() : concat(" Did you mean \"", near, "\"?"),
+                            " There are tables for: ", list));
   }
-  std::set<std::string> needed;
-  for (const auto& gear : plane.gears) needed.insert(gear.tire);
   std::vector<loadtables::LoadTable> chosen;
-  for (const auto& name : needed) {
-    const auto match = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& each) {
-      return each.table.tire().name == name && each.table.provenance().material == material;
-    });
-    require(match != candidates.end(), folder.string(), ": holds no load table of tire \"", name, "\" in \"", material,
-            "\". Make it with \"apc loads\", or name a folder with --loads DIR");
-    chosen.push_back(match->table);
-    files.push_back(note("load table", match->file, match->table.provenance().source));
+  for (const auto& gear : plane.gears) {
+    if (!needed.insert(gear.tire).second) continue;
+    chosen.push_back(loadtables::find_table(folder, material, table_tire(plane.tires.at(gear.tire))));
+    for (const auto& file : known)
+      if (file.tire == gear.tire && file.material == material) {
+        files.push_back(note("load table", file.path, chosen.back().provenance().source));
+        break;
+      }
   }
   return chosen;
 }

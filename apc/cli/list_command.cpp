@@ -1,8 +1,5 @@
 /// `apc list`: the shipped data by name, with the figures one chooses by.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "apc/base/file.h"
@@ -10,6 +7,7 @@
 #include "apc/cli/commands.h"
 #include "apc/cli/inputs.h"
 #include "apc/cli/text_table.h"
+#include "loadtables/find_tables.h"
 
 namespace apc::cli {
 namespace {
@@ -61,13 +59,9 @@ TextTable list_beds(UnitSystem units) {
 
 TextTable list_loads(UnitSystem units) {
   TextTable table{{"tire", "material", "runs", "speed", "bed depth", "drag error", "vertical error", "file"}, {}};
-  std::error_code error;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(shipped("loadtables/data"), error))
-    if (entry.path().extension() == ".h5") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const auto& file : files) {
-    const auto each = loadtables::load_table(file);
+  for (const auto& file : loadtables::list_tables(shipped("loadtables/data"))) {
+    if (file.path.extension() != ".h5") continue;
+    const auto each = loadtables::load_table(file.path);
     const auto range = [&](const std::array<double, 2>& ends, const report::Measure& in) {
       return report::number(ends[0] / in.in(units).factor, in.in(units).digits) + " to " + shown(ends[1], in, units);
     };
@@ -78,7 +72,7 @@ TextTable list_loads(UnitSystem units) {
     };
     table.rows.push_back({each.tire().name, each.provenance().material, std::to_string(each.provenance().runs),
                           range(each.speed_range(), measure::speed), range(each.depth_range(), measure::depth),
-                          loo("drag"), loo("vertical"), file.filename().string()});
+                          loo("drag"), loo("vertical"), file.path.filename().string()});
   }
   return table;
 }

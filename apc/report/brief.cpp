@@ -14,8 +14,6 @@ using simulation::GearSummary;
 
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
-  for (const auto& warning : result.warnings) out += "warning: " + warning + "\n";
-  if (!result.warnings.empty()) out += "\n";
   out += result.message + "\n\n";
   if (std::isfinite(result.stop_distance))
     out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
@@ -123,7 +121,10 @@ std::string headline(const OverrunRecord& record, UnitSystem units) {
 
 std::string brief(const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
-  auto out = headline(record, units) + "\n";
+  std::string out;
+  for (const auto& warning : result.warnings) out += "warning: " + warning + "\n";
+  if (!result.warnings.empty()) out += "\n";
+  out += headline(record, units) + "\n";
   out +=
       fmt::format("  mass {}, centre of gravity {} behind the nose gear\n\n", shown(result.mass, measure::mass, units),
                   shown(result.cg_behind_nose_gear, measure::distance, units));

@@ -18,7 +18,7 @@ const Measure mass{{"lb", u::lb, 0}, {"kg", 1.0, 0}};
 const Measure acceleration{{"g", u::g0, 3}, {"m/s²", 1.0, 2}};
 const Measure angle{{"deg", u::deg, 2}, {"deg", u::deg, 2}};
 const Measure time{{"s", 1.0, 2}, {"s", 1.0, 2}};
-const Measure energy{{"10⁶ lbf ft", 1e6 * u::lbf* u::ft, 2}, {"MJ", u::MJ, 2}};
+const Measure energy{{"10⁶ ft·lbf", 1e6 * u::lbf* u::ft, 2}, {"MJ", u::MJ, 2}};
 const Measure pressure{{"psi", u::psi, 0}, {"kPa", u::kPa, 0}};
 const Measure density{{"pcf", u::pcf, 1}, {"kg/m³", 1.0, 0}};
 const Measure volume{{"cu yd", 27.0 * u::ft* u::ft* u::ft, 0}, {"m³", 1.0, 0}};

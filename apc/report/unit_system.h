@@ -30,7 +30,7 @@ extern const Measure mass;          ///< lb | kg
 extern const Measure acceleration;  ///< g | m/s²
 extern const Measure angle;         ///< deg in both
 extern const Measure time;          ///< s in both
-extern const Measure energy;        ///< 10⁶ lbf-ft | MJ
+extern const Measure energy;        ///< 10⁶ ft·lbf | MJ
 extern const Measure pressure;      ///< psi | kPa
 extern const Measure density;       ///< pcf | kg/m³
 extern const Measure volume;        ///< cu yd | m³
