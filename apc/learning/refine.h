@@ -1,0 +1,29 @@
+/// A set of effects fitted through the simulator together with all nuisances, starting from a linear guess. The
+/// sensitivities of nuisances stay those of the background; those of the effects are taken anew at every step.
+#pragma once
+
+#include "apc/learning/background.h"
+
+namespace apc::learning {
+
+struct SetFit {
+  std::vector<effects::Applied> effects;
+  Eigen::VectorXd eta;
+  Eigen::MatrixXd covariance;  ///< of all effect parameters, effect by effect
+  double log_evidence = 0.0;   ///< over the background without these effects
+  double objective = 0.0;
+  std::vector<bool> at_bound;  ///< per parameter
+  double deviation(std::size_t parameter) const {
+    return std::sqrt(covariance(static_cast<Eigen::Index>(parameter), static_cast<Eigen::Index>(parameter)));
+  }
+};
+
+/// Factor of M = SᵀS + P⁻¹, made once per background.
+struct NuisanceFactor {
+  explicit NuisanceFactor(const Background& b) : factor(b.information + b.prior.precision) {}
+  Eigen::LLT<Eigen::MatrixXd> factor;
+};
+
+SetFit refine(const Background&, const NuisanceFactor&, const std::vector<effects::Applied>& start, int iterations);
+
+}  // namespace apc::learning

@@ -1,0 +1,34 @@
+/// Everything that might be missing, as columns of the linear model: each effect at each of its shapes, each instrument
+/// fault, and force laws to be learned. Scored all at once against the fitted background.
+#pragma once
+
+#include "apc/learning/background.h"
+
+namespace apc::learning {
+
+struct Hypothesis {
+  enum class Kind { effect, sensor, learned };
+  Kind kind = Kind::effect;
+  std::string id;            ///< effect id; "acceleration_x.scale"; "strength along the bed"
+  std::string run;           ///< sensor faults of one run only
+  effects::Applied applied;  ///< effects: with the shape of this entry; the amplitude is the unit of the column
+  Candidate candidate;       ///< columns in `Screen::scores`, amplitude priors
+  double shapes = 1.0;       ///< how many entries share this id: the look-elsewhere factor
+};
+
+struct Screen {
+  std::vector<Hypothesis> hypotheses;
+  Scores scores;
+};
+
+/// `effects`: the catalogue and the user's own. Simulates each effect column once per run.
+Screen screen(const Background&, const std::vector<effects::Effect>& effects, const Report&);
+
+/// Shapes worth trying for an effect in this case: the amplitude is left at its neutral value.
+std::vector<effects::Applied> shapes_of(const effects::Effect&, const Background&);
+
+/// Standard deviation of an amplitude's prior: its range is 95 %.
+double amplitude_deviation(const effects::Parameter&);
+bool amplitude_positive(const effects::Parameter&);
+
+}  // namespace apc::learning
