@@ -107,11 +107,11 @@ std::string distance_axis(const Axis& across, double y, double grid_top, const S
     out += fmt::format(
         "<path class=\"grid\" d=\"M{0},{1}V{2}\"/><text class=\"tick\" x=\"{0}\" y=\"{3}\" "
         "text-anchor=\"middle\">{4}</text>",
-        pixel(across(tick.value)), pixel(grid_top), pixel(y), pixel(y + 15), tick.label);
+        pixel(across(tick.value)), pixel(grid_top), pixel(y), pixel(y + 17), tick.label);
   return out + fmt::format(
                    "<text class=\"axis\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">distance from the bed's "
                    "leading edge, {}</text></g>",
-                   pixel(0.5 * (left + width - right)), pixel(y + 31), scale.unit);
+                   pixel(0.5 * (left + width - right)), pixel(y + 36), scale.unit);
 }
 
 std::string depth_axis(const Axis& up, const Scale& scale, const char* system) {
@@ -202,7 +202,7 @@ std::string bed_section(const OverrunRecord& record) {
   std::string out = fmt::format(
       "<svg class=\"section\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"bed section with ruts and the aircraft "
       "at rest\">",
-      width, pixel(section_bottom + 40));
+      width, pixel(section_bottom + 44));
   out += fmt::format(
       "<text class=\"axis\" x=\"{}\" y=\"12\">True scale: wheels, struts and a beam through the centre "
       "of gravity</text>",
