@@ -49,6 +49,7 @@ struct Gear {
   double wheel_inertia = 0.0;  ///< kg m² per wheel
   bool braked = false;
   double axle_spacing = 0.0, bogie_inertia = 0.0;  ///< m; kg m² per bogie (optional)
+  double bogie_damping = 0.0;                      ///< N m s per bogie (optional); 0 = 20 % of critical on its tires
   double track = 0.0, wheel_spacing = 0.0;         ///< m, lateral (optional)
   Strut strut;
   GearLimits limits;
