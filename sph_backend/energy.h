@@ -13,7 +13,7 @@ struct EnergyAccount {
   double viscosity = 0.0;        ///< artificial viscosity, which stands for crush shocks too
   double foam_damping = 0.0;     ///< rate damping of the material
   double friction = 0.0;         ///< tire on foam
-  double contact_penalty = 0.0;  ///< stored in the contact now
+  double contact_penalty = 0.0;  ///< stored in the contact with tire and rigid plane, now
   double contact_damping = 0.0;
   double contact_radius = 0.0;  ///< taken up by the shrinking contact radius: crush of the outer half layer
   double tire_stored = 0.0;     ///< membrane and foundation, now

@@ -9,6 +9,8 @@
 namespace apc::sph {
 namespace {
 
+constexpr double floor_gap = 0.05;  // in layers: half the height of a particle compacted to 90 %
+
 int layers(const Bed& bed) { return static_cast<int>(std::lround(bed.spec.depth / bed.layer)); }
 int rows(const Bed& bed) { return static_cast<int>(std::lround(bed.half_width / bed.spec.spacing)); }
 
@@ -65,7 +67,7 @@ void fill_stress_records(Bed& bed) {
 void renew_neighbours(Bed& bed) {
   Neighbours& n = bed.neighbours;
   n.grid.origin[0] = bed.spec.first_column * bed.spec.spacing;
-  sort_particles(bed.particles, n.grid, bed.spec.first_column);
+  sort_particles(bed.particles, n.grid, bed.spec.mirror_ends ? -1e30 : n.grid.origin[0]);
   n.records.assign(bed.particles.size() * record::size, 0.0f);
   fill_records(bed, 0, static_cast<int>(bed.particles.size()));
   fill_stress_records(bed);
@@ -94,6 +96,21 @@ PairWork pair_work(Bed& bed) {
   w.volume0 = static_cast<float>(bed.volume0), w.mass = static_cast<float>(bed.mass);
   w.damping = static_cast<float>(foam.sound_speed() * foam.density * foam.damping * bed.spec.spacing);
   return w;
+}
+
+/// The mirror plane carries the foam; this catches what is squeezed towards it beyond any lawful compaction. Returns
+/// the energy stored.
+double push_off_floor(Bed& bed) {
+  const Particles& p = bed.particles;
+  const double k = 6.0 * bed.spec.foam.youngs_modulus * bed.spec.spacing;
+  double stored = 0.0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double overlap = floor_gap * bed.layer - p.z[i];
+    if (overlap <= 0.0) continue;
+    bed.acceleration[2][i] += static_cast<float>(k * overlap / bed.mass);
+    if (p.hold[i] != hold_all) stored += 0.5 * k * overlap * overlap;
+  }
+  return stored;
 }
 
 double total(const std::vector<double>& parts) {
@@ -137,11 +154,12 @@ void move_window(Bed& bed, int first_column, int end_column) {
   for (int c = bed.spec.first_column + bed.spec.columns; c < end_column; ++c) append_column(bed, c);
   bed.spec.first_column = first_column, bed.spec.columns = end_column - first_column;
   bed.neighbours.grid.extent[0] = bed.spec.columns * bed.spec.spacing;
-  const int first_free = first_column + bed.spec.held_columns;
+  const double rear =
+      (first_column + bed.spec.held_columns) * bed.spec.spacing;  // by place: a plough carries foam along
   const int first_ahead = end_column - bed.spec.held_columns;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.id[i] < 0) continue;
-    const bool held = !bed.spec.mirror_ends && (p.column[i] < first_free || p.column[i] >= first_ahead);
+    const bool held = !bed.spec.mirror_ends && (p.x[i] < rear || p.column[i] >= first_ahead);
     if (held) {
       bed.energy.removed += 0.5 * bed.mass * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
       p.vx[i] = p.vy[i] = p.vz[i] = 0.0;
@@ -191,6 +209,7 @@ void accelerate(Bed& bed) {
   const auto& kernels = pair_kernels();
   bed.team->run(bed.neighbours.clusters, 4, [&](int first, int last) { kernels.accelerate(work, first, last); });
   bed.energy.viscous += total(bed.neighbours.viscous);
+  bed.energy.floor = push_off_floor(bed);
 }
 
 void kick(Bed& bed) {

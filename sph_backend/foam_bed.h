@@ -38,6 +38,7 @@ struct FoamEnergy {
   double internal = 0.0;  ///< ∫ V σ : D dt, elastic and crushed
   double viscous = 0.0;   ///< artificial viscosity
   double damping = 0.0;   ///< material damping
+  double floor = 0.0;     ///< stored in the last resort against passing the rigid plane, now
   double kinetic = 0.0;   ///< now
   double removed = 0.0;   ///< kinetic energy of columns that were held or left behind
 };

@@ -1,5 +1,7 @@
 // Stress of the crushable foam for one vector of particles (law: foam.h); part of pair_kernels.inl.
 
+constexpr float loosest = 0.9f;  // (ρ/ρ0)^⅓ of a torn particle
+
 struct Gradient {
   Vec xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
@@ -73,7 +75,8 @@ inline __attribute__((always_inline)) void update_stress(const PairWork& w, int 
 
   // Continuity, exact for a constant rate: stretch · exp(−dt tr L/3), as a Padé form.
   const Vec e = (-dt / 6.0f) * trace;
-  const Vec new_stretch = stretch * ((1.0f + e) / (1.0f - e));
+  // A torn particle does not swell without end: its share of the crack is void, not foam.
+  const Vec new_stretch = vmax(stretch * ((1.0f + e) / (1.0f - e)), splat(loosest));
   const Vec ratio = 1.0f / (new_stretch * new_stretch * new_stretch);  // ρ0/ρ
 
   Symmetric old{load(w.stress[0] + base), load(w.stress[1] + base), load(w.stress[2] + base),
@@ -92,13 +95,13 @@ inline __attribute__((always_inline)) void update_stress(const PairWork& w, int 
   // Circles around the diagonal (Gershgorin) bound the principal values: most clusters need no decomposition.
   const Vec ox = vabs(s.xy) + vabs(s.xz), oy = vabs(s.xy) + vabs(s.yz), oz = vabs(s.xz) + vabs(s.yz);
   const Vec high = vmax(vmax(s.xx + ox, s.yy + oy), s.zz + oz), low = vmax(vmax(ox - s.xx, oy - s.yy), oz - s.zz);
-  if (any_above(high, w.tension_cutoff) || any_above(low, w.yield_lowest))
+  if (any_negative(w.tension_cutoff - high) || any_negative(w.yield_lowest - low))
     cap_principal(s, yield_stress(w, 1.0f - ratio), w.tension_cutoff);
 
-  const Symmetric mean{
-      0.5f * (volume * old.xx + w.volume0 * ratio * s.xx), 0.5f * (volume * old.yy + w.volume0 * ratio * s.yy),
-      0.5f * (volume * old.zz + w.volume0 * ratio * s.zz), 0.5f * (volume * old.xy + w.volume0 * ratio * s.xy),
-      0.5f * (volume * old.xz + w.volume0 * ratio * s.xz), 0.5f * (volume * old.yz + w.volume0 * ratio * s.yz)};
+  // Work of the pair forces that carry V² σ, so that it closes with the motion: mean of V² σ before and after.
+  const Vec new_volume = w.volume0 * ratio, after = 0.5f * new_volume * (new_volume / volume), before = 0.5f * volume;
+  const Symmetric mean{before * old.xx + after * s.xx, before * old.yy + after * s.yy, before * old.zz + after * s.zz,
+                       before * old.xy + after * s.xy, before * old.xz + after * s.xz, before * old.yz + after * s.yz};
   const Vec work = dt * dot(mean, d);
   internal += sum(work);
   store(w.work + base, load(w.work + base) + work);

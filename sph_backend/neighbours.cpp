@@ -53,12 +53,12 @@ void sort_entries(std::vector<Entry>& entries, std::vector<std::uint32_t>& cell_
 
 }  // namespace
 
-void sort_particles(Particles& particles, const NeighbourGrid& grid, int first_column) {
+void sort_particles(Particles& particles, const NeighbourGrid& grid, double rear) {
   const Cells cells(grid);
   std::vector<Entry> entries;
   entries.reserve(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.id[i] < 0 || particles.column[i] < first_column) continue;
+    if (particles.id[i] < 0 || particles.x[i] < rear) continue;
     entries.push_back({cells.cell(static_cast<float>(particles.x[i] - grid.origin[0]),
                                   static_cast<float>(particles.y[i] - grid.origin[1])),
                        static_cast<float>(particles.z[i] - grid.origin[2]), static_cast<std::uint32_t>(i)});

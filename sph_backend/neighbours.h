@@ -35,8 +35,8 @@ struct Neighbours {
   std::vector<double> internal, viscous, damped;  ///< per cluster, of this step
 };
 
-/// Puts the particles into cluster order, dropping empty lanes and particles in columns below `first_column`.
-void sort_particles(Particles&, const NeighbourGrid&, int first_column);
+/// Puts the particles into cluster order, dropping empty lanes and particles behind x = `rear`.
+void sort_particles(Particles&, const NeighbourGrid&, double rear);
 /// Images and lists for sorted particles whose records are filled in.
 void build_lists(Neighbours&, const Particles&, class Team&);
 

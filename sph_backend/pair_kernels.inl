@@ -52,11 +52,13 @@ inline __attribute__((always_inline)) Vec column(const float* records, int first
   for (int l = 0; l < width; ++l) v[l] = records[(first + l) * record::size + field];
   return v;
 }
-inline bool any_above(Vec a, float limit) {
-  for (int l = 0; l < width; ++l)
-    if (a[l] > limit) return true;
-  return false;
-}
+#if APC_LANES == 16
+inline bool any_negative(Vec a) { return _mm512_movepi32_mask((__m512i)a) != 0; }
+#elif APC_LANES == 8
+inline bool any_negative(Vec a) { return _mm256_movemask_ps((__m256)a) != 0; }
+#else
+inline bool any_negative(Vec a) { return _mm_movemask_ps((__m128)a) != 0; }
+#endif
 inline double sum(Vec a) {
   double total = 0.0;
   for (int l = 0; l < width; ++l) total += a[l];
@@ -163,10 +165,8 @@ int filter(const FilterWork& w, int cluster, const std::uint32_t* candidates, in
       const Vec limit = 2.04f * rcp0(half_g[s] + 0.5f * q[record::inverse_h]) + reach[s] + travel;
       nearest = vmin(nearest, dx * dx + dy * dy + dz * dz - limit * limit);
     }
-    bool close = false;
-    for (int l = 0; l < width; ++l) close |= nearest[l] < 0.0f;
     kept[n] = candidates[k];
-    n += close;
+    n += any_negative(nearest);
   }
   return n;
 }

@@ -129,7 +129,7 @@ void step(RollingRun& run) {
                                      0.5 * (old_spin + tire.spin), mean_rate);
   e.axle_work += w.on_axle;
   e.friction += w.friction, e.contact_damping += w.damping, e.contact_radius += w.radius;
-  e.contact_penalty = w.penalty;
+  e.contact_penalty = w.penalty + bed.energy.floor;
   e.foam_internal = bed.energy.internal, e.foam_kinetic = bed.energy.kinetic, e.viscosity = bed.energy.viscous;
   e.foam_damping = bed.energy.damping, e.removed = bed.energy.removed;
   e.wheel_kinetic = 0.5 * inertia * tire.spin * tire.spin;

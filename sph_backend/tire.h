@@ -45,7 +45,7 @@ struct Tire {
 /// What is not in a catalogue, with its rule of thumb. Steady loads depend on none of the three.
 struct TireAssumptions {
   double areal_mass_per_width = 90.0;  ///< kg/m³: tread and carcass, 38 kg/m² for a 16.5 in wide tire
-  double inertia_factor = 30.0;        ///< wheel inertia = factor · D⁴ W, kg/m³ (21 kg m² for the H44.5x16.5-21)
+  double inertia_factor = 10.0;        ///< wheel inertia = factor · D⁴ W, kg/m³ (21 kg m² for the H44.5x16.5-21)
   double damping_ratio = 0.3;          ///< of the foundation mode
 };
 

@@ -124,7 +124,7 @@ RollingCase completed(const RollingCase& given) {
   fill(c.bed_half_width, (0.5 + c.bed_margin) * c.tire.width);
   fill(c.ahead, touch + std::max(0.5 * radius, 6.0 * c.spacing));
   fill(c.behind, std::max(radius, 8.0 * c.spacing));
-  fill(c.press_speed, std::clamp(0.6 * c.speed, 2.5, 10.0));
+  fill(c.press_speed, std::clamp(0.6 * c.speed, 4.0, 15.0));
   fill(c.accelerate_distance, 0.5 * radius);
   fill(c.window, radius);
   fill(c.longest, 6.0 * radius);
