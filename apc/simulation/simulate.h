@@ -8,6 +8,7 @@
 
 #include "aircraft/aircraft.h"
 #include "apc/bed/bed.h"
+#include "apc/effects/alterations.h"
 #include "apc/simulation/result.h"
 #include "loadtables/load_table.h"
 
@@ -23,6 +24,24 @@ struct Model {
 /// Pairs every gear's tire with its table by name. InputError when a table is missing.
 Model make_model(aircraft::Aircraft, bed::Bed, const std::vector<loadtables::LoadTable>&);
 
+/// How brakes act on the braked wheels.
+enum class BrakeMode {
+  friction,  ///< retarding force `braking` × vertical load, independent of the wheel's slip
+  torque,    ///< brake torque `braking` × vertical load × rolling radius; the force follows from the wheel's slip
+};
+
+/// Whether the wheels' own rotation takes part in the motion.
+enum class WheelSpin {
+  inertial,  ///< the tread must spin the wheel up and down: Σ I/R² adds to the mass
+  free,      ///< wheels follow the table's spin ratio without effort
+};
+
+/// How trailing rows of a bogie use the rut ahead of them (see tire_bed.h); estimated, no public data.
+struct RutFollowing {
+  double bearing_gain = 2.0;         ///< yield load on an old rut floor over the one in virgin material
+  double rolling_resistance = 0.02;  ///< drag / vertical on the floor of a rut
+};
+
 /// What happens. Defaults are ACRP Report 29's assumptions except braking, which is off unless asked for.
 struct Overrun {
   double entry_speed = 0.0;          ///< m/s, when the nose wheel crosses the bed's leading edge
@@ -33,6 +52,11 @@ struct Overrun {
   double braking_in_bed = -1.0;      ///< same inside the bed; < 0 = as before the bed
   double thrust = 0.0;               ///< N, net, forward positive (reverse negative)
   double headwind = 0.0;             ///< m/s
+  BrakeMode brake_mode = BrakeMode::friction;
+  WheelSpin wheel_spin = WheelSpin::inertial;
+  RutFollowing rut_following;
+  double bed_depth = 1.0;            ///< × the bed file's depth
+  effects::Alterations alterations;  ///< effects, block strengths, table errors; nothing by default
 };
 
 enum class Method {

@@ -1,0 +1,69 @@
+#include "apc/simulation/equations.h"
+
+#include "apc/base/require.h"
+#include "apc/simulation/motion.h"
+
+namespace apc::simulation {
+
+void derivatives(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+                 Moment* moment) {
+  motion<double>(plant, around, time, y, dydt, moment);
+}
+
+namespace {
+
+template <int N>
+void jacobian_of(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+                 double* matrix) {
+  const int states = plant.states();
+  Dual<N> state[N], rate[N];
+  for (int i = 0; i < N; ++i) state[i] = i < states ? Dual<N>::variable(y[i], i) : Dual<N>(0.0);
+  motion<Dual<N>>(plant, around, time, state, rate, nullptr);
+  for (int i = 0; i < states; ++i) {
+    dydt[i] = rate[i].value;
+    for (int j = 0; j < states; ++j) matrix[i * states + j] = rate[i].d[j];
+  }
+}
+
+}  // namespace
+
+void jacobian(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+              double* matrix) {
+  const int states = plant.states();
+  if (states <= 12) return jacobian_of<12>(plant, around, time, y, dydt, matrix);
+  if (states <= 24) return jacobian_of<24>(plant, around, time, y, dydt, matrix);
+  jacobian_of<most_states>(plant, around, time, y, dydt, matrix);
+}
+
+void directional(const Plant& plant, const Surroundings& around, double time, const double* y, const double* direction,
+                 double* result) {
+  Dual<1> state[most_states], rate[most_states];
+  const int states = plant.states();
+  for (int i = 0; i < most_states; ++i) {
+    state[i] = Dual<1>(i < states ? y[i] : 0.0);
+    if (i < states) state[i].d[0] = direction[i];
+  }
+  motion<Dual<1>>(plant, around, time, state, rate, nullptr);
+  for (int i = 0; i < states; ++i) result[i] = rate[i].d[0];
+}
+
+std::array<double, 2> row_motion(const Plant& plant, int index, const double* y) {
+  const auto& row = plant.rows[static_cast<std::size_t>(index)];
+  const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
+  const double* rate = y + plant.degrees();
+  const double c = std::cos(y[2]), s = std::sin(y[2]), stroke = y[3 + row.group];
+  const Vector body{group.extended.x + stroke * group.axis.x, group.extended.z + stroke * group.axis.z};
+  double x = y[0] + body.x * c - body.z * s;
+  double u =
+      rate[0] - rate[2] * (body.x * s + body.z * c) + rate[3 + row.group] * (group.axis.x * c - group.axis.z * s);
+  if (group.bogie >= 0) {
+    const auto beam = 3 + plant.groups.size() + static_cast<std::size_t>(group.bogie);
+    x += row.offset * std::cos(y[beam]);
+    u -= rate[beam] * row.offset * std::sin(y[beam]);
+  }
+  return {x, u};
+}
+
+double nose_distance(const Plant& plant, const double* y) { return row_motion(plant, 0, y)[0]; }
+
+}  // namespace apc::simulation

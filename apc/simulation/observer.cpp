@@ -1,0 +1,198 @@
+#include "apc/simulation/observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "aircraft/static_stand.h"
+#include "apc/base/require.h"
+#include "apc/base/units.h"
+
+namespace apc::simulation {
+
+void Peak::see(double sample, double at) {
+  if (sample > value) value = sample, distance = at;
+  const double a = last_[1], b = last_[0];
+  if (count_ >= 2 && b >= a && b >= sample && b > 0.98 * value - 1e-12) {
+    const double curvature = a - 2.0 * b + sample;
+    if (curvature < 0.0) {
+      const double shift = 0.5 * (a - sample) / curvature;  // in intervals, within ±½
+      const double vertex = b - 0.25 * (a - sample) * shift;
+      if (vertex > value) {
+        value = vertex;
+        distance = where_[0] + shift * 0.5 * (at - where_[1]);
+      }
+    }
+  }
+  last_[1] = last_[0];
+  where_[1] = where_[0];
+  last_[0] = sample;
+  where_[0] = at;
+  ++count_;
+}
+
+std::array<double, 2> group_load(const Plant& plant, std::size_t group, const Moment& moment) {
+  std::array<double, 2> sum{};
+  const auto& g = plant.groups[group];
+  for (int r = g.first_row; r < g.first_row + g.rows; ++r) {
+    const auto& row = moment.rows[static_cast<std::size_t>(r)];
+    const bool spinning_up = plant.brake_mode == BrakeMode::friction;  // slip then carries wheel inertia only
+    sum[0] -= row.force_x + (spinning_up ? row.slip_force * row.tangent.x : 0.0);
+    sum[1] += row.force_z + (spinning_up ? row.slip_force * row.tangent.z : 0.0);
+  }
+  return sum;
+}
+
+Observer::Observer(const Model& model, const Plant& plant, double interval, int rows_every)
+    : model_(model), plant_(plant), interval_(interval), rows_every_(rows_every), gears_(plant.groups.size()) {
+  for (const auto& gear : model.aircraft.gears) limits_.push_back(aircraft::load_limits(model.aircraft, gear));
+  history_.gears.resize(plant.groups.size());
+}
+
+void Observer::record(double time, const double* y, const Moment& moment, double dissipated) {
+  const double* rate = y + plant_.degrees();
+  const double c = std::cos(y[2]), s = std::sin(y[2]);
+  const double ax = moment.cg_acceleration.x, az = moment.cg_acceleration.z + units::g0;
+  history_.time.push_back(time);
+  history_.distance.push_back(moment.rows[0].distance);
+  history_.speed.push_back(moment.cg_velocity.x);
+  history_.deceleration.push_back(-ax);
+  history_.acceleration_x.push_back(ax * c + az * s);
+  history_.acceleration_z.push_back(-ax * s + az * c - units::g0);
+  history_.pitch.push_back(y[2]);
+  history_.pitch_rate.push_back(rate[2]);
+  history_.heave.push_back(moment.cg_position.z - model_.aircraft.cg_height);
+  history_.dissipated.push_back(dissipated);
+  for (std::size_t g = 0; g < gears_.size(); ++g) {
+    auto& gear = history_.gears[g];
+    const auto& row = moment.rows[static_cast<std::size_t>(plant_.groups[g].first_row)];
+    const auto load = group_load(plant_, g, moment);
+    gear.drag.push_back(load[0]);
+    gear.vertical.push_back(load[1]);
+    gear.stroke.push_back(moment.groups[g].stroke);
+    gear.stroke_rate.push_back(moment.groups[g].stroke_rate);
+    gear.penetration.push_back(std::max(0.0, row.penetration));
+    gear.rut.push_back(row.penetration > 0.0 ? row.ground.load.rut_depth : 0.0);
+    gear.bed_depth.push_back(row.bed_depth);
+    gear.spin.push_back(row.spin);
+    gear.distance.push_back(row.distance);
+  }
+}
+
+void Observer::see(double time, const double* y, const Surroundings& around, const Moment& moment, double dissipated) {
+  const double nose = moment.rows[0].distance, speed = moment.cg_velocity.x;
+  deceleration_.see(-moment.cg_acceleration.x, nose);
+  pitch_up_.see(y[2], nose);
+  pitch_down_.see(-y[2], nose);
+  speeds_.push_back(speed);
+  const auto window = static_cast<std::size_t>(std::lround(0.1 / interval_));
+  if (speeds_.size() > window + 1) speeds_.pop_front();
+  if (speeds_.size() == window + 1)
+    mean_100ms_.see((speeds_.front() - speeds_.back()) / (static_cast<double>(window) * interval_), nose);
+
+  const double step = instants_ == 0 ? 0.0 : nose - last_distance_;
+  for (std::size_t g = 0; g < gears_.size(); ++g) {
+    auto& watch = gears_[g];
+    const auto& group = plant_.groups[g];
+    const auto load = group_load(plant_, g, moment);
+    const double each = 1.0 / group.struts, drag = load[0] * each;
+    watch.drag.see(drag, nose);
+    watch.vertical.see(load[1] * each, nose);
+    watch.stroke.see(moment.groups[g].stroke, nose);
+    watch.drag_work += 0.5 * (drag + watch.last_drag) * step;
+    watch.last_drag = drag;
+    if (watch.ultimate_at < 0.0 && limits_[g].drag_ultimate > 0.0 && drag >= limits_[g].drag_ultimate)
+      watch.ultimate_at = nose;
+    double deepest_rut = 0.0, deepest = 0.0;
+    for (int r = group.first_row; r < group.first_row + group.rows; ++r) {
+      const auto& row = moment.rows[static_cast<std::size_t>(r)];
+      if (row.penetration > 0.0) deepest_rut = std::max(deepest_rut, row.ground.load.rut_depth);
+      deepest = std::max(deepest, row.penetration);
+    }
+    watch.rut.see(deepest_rut, nose);
+    watch.penetration.see(deepest, nose);
+    const auto& lead = moment.rows[static_cast<std::size_t>(group.first_row)];
+    if (around.in_bed[static_cast<std::size_t>(group.first_row)] && lead.bed_depth > 0.0) {
+      watch.in_bed += interval_;
+      const auto inside = group.ground.table->coverage({std::abs(lead.speed), lead.bed_depth, lead.penetration});
+      if (!inside.speed) watch.outside_speed += interval_;
+      if (!inside.bed_depth) watch.outside_depth += interval_;
+      if (!inside.penetration) watch.outside_penetration += interval_;
+      if (!inside.inside()) watch.outside += interval_;
+    }
+  }
+  last_distance_ = nose;
+  if (rows_every_ > 0 && instants_ % rows_every_ == 0) record(time, y, moment, dissipated);
+  ++instants_;
+}
+
+void Observer::finish(Result& result) const {
+  result.peak_deceleration = deceleration_.value;
+  result.peak_deceleration_100ms = mean_100ms_.value > -1e299 ? mean_100ms_.value : deceleration_.value;
+  result.peak_pitch = pitch_up_.value;
+  result.lowest_pitch = -pitch_down_.value;
+  auto as_run = model_.aircraft;
+  as_run.mass = result.mass;
+  as_run.cg_behind_nose_gear = result.cg_behind_nose_gear;
+  const auto stand = aircraft::static_stand(as_run);
+  const double reached = std::max(last_distance_, 1e-9);
+  for (std::size_t g = 0; g < gears_.size(); ++g) {
+    const auto& watch = gears_[g];
+    const auto& gear = model_.aircraft.gears[g];
+    const auto& limit = limits_[g];
+    GearSummary summary;
+    summary.name = gear.name;
+    summary.struts = gear.struts;
+    summary.wheels = gear.wheels() / gear.struts;
+    summary.peak_drag = watch.drag.value;
+    summary.peak_drag_distance = watch.drag.distance;
+    summary.peak_vertical = watch.vertical.value;
+    summary.peak_vertical_distance = watch.vertical.distance;
+    summary.mean_drag = watch.drag_work / reached;
+    summary.drag_limit = limit.drag_limit;
+    summary.drag_ultimate = limit.drag_ultimate;
+    summary.vertical_limit = limit.vertical_limit;
+    summary.drag_rule = limit.drag_rule;
+    summary.vertical_rule = limit.vertical_rule;
+    const auto margin = [](double allowed, double peak) {
+      return allowed > 0.0 && peak > 0.0 ? allowed / peak - 1.0 : 0.0;
+    };
+    summary.drag_margin = margin(limit.drag_limit, watch.drag.value);
+    summary.ultimate_margin = margin(limit.drag_ultimate, watch.drag.value);
+    summary.vertical_margin = margin(limit.vertical_limit, watch.vertical.value);
+    summary.peak_stroke = watch.stroke.value;
+    summary.stroke = gear.strut.stroke;
+    summary.bottomed = watch.stroke.value >= gear.strut.stroke;
+    summary.peak_rut = std::max(0.0, watch.rut.value);
+    summary.peak_penetration = std::max(0.0, watch.penetration.value);
+    summary.static_vertical = stand.gears[g].vertical;
+    result.gears.push_back(summary);
+    const double time = std::max(watch.in_bed, 1e-12);
+    CoverageSummary coverage{gear.name, gear.tire, 1.0, 0.0, 0.0, 0.0};
+    if (watch.in_bed > 0.0)
+      coverage = {gear.name,
+                  gear.tire,
+                  1.0 - watch.outside / time,
+                  watch.outside_speed / time,
+                  watch.outside_depth / time,
+                  watch.outside_penetration / time};
+    result.coverage.push_back(coverage);
+    if (watch.ultimate_at >= 0.0) {
+      if (result.outcome != Outcome::gear_limit)
+        result.message = concat(gear.name, " gear: drag passed its ultimate load ", std::lround(watch.ultimate_at),
+                                " m into the bed; ", result.message);
+      result.outcome = Outcome::gear_limit;
+    }
+    if (summary.bottomed) result.warnings.push_back(concat("the ", gear.name, " strut reached its stop"));
+    // Every stop passes through the speeds below the table's range; depth and penetration are what deserves a word.
+    const auto warn = [&](double share, const char* what) {
+      if (share > 0.001)
+        result.warnings.push_back(concat("the ", gear.name, " tire's ", what, " lay outside its load table for ",
+                                         std::lround(1000.0 * share) / 10.0, " % of its time in the bed"));
+    };
+    warn(coverage.depth_outside, "bed depth");
+    warn(coverage.penetration_outside, "penetration");
+  }
+  result.history = history_;
+}
+
+}  // namespace apc::simulation

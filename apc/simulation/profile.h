@@ -1,0 +1,33 @@
+/// The bed as the wheels meet it: depth along the way and the slope of its base under a contact patch.
+#pragma once
+
+#include <vector>
+
+#include "apc/bed/bed.h"
+
+namespace apc::simulation {
+
+struct ValueAndSlope {
+  double value = 0.0, slope = 0.0;
+};
+
+/// Piecewise linear depth over bed distance, continued level beyond both ends: whether a wheel is in the bed at all is
+/// decided by its row, so that a step at the leading edge stays outside the equations.
+class Profile {
+ public:
+  Profile() = default;
+  /// `depth_factor` multiplies every depth.
+  Profile(const bed::Bed&, double depth_factor);
+  ValueAndSlope depth(double distance) const;
+  /// Mean of d depth / d distance over ±`half_patch`: the inclination of the base a tire feels, continuous in distance.
+  ValueAndSlope inclination(double distance, double half_patch) const;
+  double length() const { return distance_.back(); }
+  /// The bed begins with a step: depth jumps from 0 at the leading edge.
+  bool steps_in() const { return depth_.front() > 1e-6; }
+
+ private:
+  std::size_t piece(double distance) const;
+  std::vector<double> distance_, depth_, slope_;
+};
+
+}  // namespace apc::simulation

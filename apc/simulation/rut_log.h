@@ -1,0 +1,33 @@
+/// What a leading wheel row left behind: crushed depth, penetration and loads along the bed. The one memory of a run:
+/// written after accepted steps only, read as const by the equations, so a solver may retry a step freely.
+#pragma once
+
+#include <vector>
+
+namespace apc::simulation {
+
+/// The track of one row at one place.
+struct Rut {
+  double depth = 0.0;                 ///< m, crushed depth
+  double penetration = 0.0;           ///< m, the penetration whose virgin rut this is
+  double drag = 0.0, vertical = 0.0;  ///< N per tire, that virgin penetration's loads
+  double depth_slope = 0.0;           ///< d depth / d distance; only filled by reading
+};
+
+/// Monotone along the bed; between entries a C¹ cubic (slopes by three points, harmonic mean: no overshoot).
+class RutLog {
+ public:
+  /// Ignored unless `distance` lies at least 1 mm beyond the last entry.
+  void write(double distance, const Rut&);
+  /// Nothing (depth 0) before the first entry; the last entry beyond the last.
+  Rut at(double distance) const;
+  double last_distance() const;
+  bool empty() const { return distance_.empty(); }
+  void clear();
+
+ private:
+  std::vector<double> distance_;
+  std::vector<Rut> ruts_;
+};
+
+}  // namespace apc::simulation

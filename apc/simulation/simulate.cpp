@@ -1,0 +1,151 @@
+#include "apc/simulation/simulate.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "apc/base/require.h"
+#include "apc/base/units.h"
+#include "apc/simulation/overrun_run.h"
+#include "apc/simulation/roll_in.h"
+#include "apc/simulation/trim.h"
+
+namespace apc::simulation {
+
+const char* text(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::stopped:
+      return "stopped";
+    case Outcome::left_bed:
+      return "left_bed";
+    case Outcome::gear_limit:
+      return "gear_limit";
+  }
+  return "?";
+}
+
+namespace {
+
+/// The fast method reaches 1 mm with a hundred times the reference's tolerance per step.
+constexpr double fast_tolerance = 100.0;
+
+/// From the last computed state (`creep_speed`, drag faded by tanh) to rest at the unfaded deceleration. The factors
+/// undo what fading did before: ∫₁^∞ x (coth x − 1) dx = 0.21549, ∫₁^∞ (coth x − 1) dx = 0.14541.
+struct Rest {
+  double distance = 0.0, time = 0.0;
+};
+Rest come_to_rest(double deceleration) {
+  const double unfaded = deceleration / std::tanh(1.0);
+  if (!(unfaded > 0.0)) return {};
+  return {(0.5 - 0.2154936) * creep_speed * creep_speed / unfaded, (1.0 - 0.1454135) * creep_speed / unfaded};
+}
+
+void fill_energy(const Plant& plant, const std::vector<double>& start, const Ending& end, Result& result) {
+  const auto before = stores(plant, start.data()), after = stores(plant, end.state.data());
+  double lost = 0.0;
+  for (std::size_t i = 0; i < sinks; ++i) {
+    result.energy[std::string(sink_names[i])] = end.dissipated[i];
+    lost += end.dissipated[i];
+  }
+  result.energy["kinetic"] = before.kinetic;
+  result.energy["kinetic_left"] = after.kinetic;
+  result.energy["potential"] = after.potential - before.potential;
+  result.energy["oleo_gas"] = after.oleo_gas - before.oleo_gas;
+  result.energy["stops"] = after.stops - before.stops;
+  result.energy["residual"] = std::abs(before.sum() - after.sum() - lost) / before.kinetic;
+}
+
+void fill_ending(const Plant& plant, const Ending& end, Result& result) {
+  const double distance = nose_distance(plant, end.state.data());
+  result.stop_time = end.time;
+  double length = distance;
+  if (end.left_bed) {
+    result.outcome = Outcome::left_bed;
+    result.stop_distance = result.runway_distance = std::numeric_limits<double>::quiet_NaN();
+    result.exit_speed = cg_speed(plant, end.state.data());
+    result.message =
+        concat("left the bed's far end, ", distance, " m from its leading edge, at ", result.exit_speed, " m/s");
+  } else {
+    const auto rest = come_to_rest(-end.acceleration);
+    length = result.stop_distance = distance + rest.distance;
+    result.runway_distance = result.stop_distance + plant.setback;
+    result.stop_time += rest.time;
+    result.message = concat("stopped ", result.stop_distance, " m into the bed");
+  }
+  result.mean_deceleration =
+      (plant.entry_speed * plant.entry_speed - result.exit_speed * result.exit_speed) / (2.0 * std::max(length, 1e-9));
+}
+
+/// The last history row, at rest.
+void close_history(const Plant& plant, const Ending& end, Observer& observer) {
+  Surroundings around = surroundings_at_entry(plant);
+  std::vector<double> rate(end.state.size());
+  for (std::size_t r = 0; r < plant.rows.size(); ++r)
+    around.in_bed[r] = row_motion(plant, static_cast<int>(r), end.state.data())[0] >= 0.0;
+  Moment moment;
+  derivatives(plant, around, end.time, end.state.data(), rate.data(), &moment);
+  double lost = 0.0;
+  for (const double each : end.dissipated) lost += each;
+  observer.record(end.time, end.state.data(), moment, lost);
+}
+
+Result run(const Model& model, const Overrun& overrun, const Options& options) {
+  const auto plant = make_plant(model, overrun);
+  const auto start = trim(plant, overrun.entry_speed);
+  const bool fast = options.method == Method::fast;
+  // Observation grid: at most 2 ms with a history; 10 ms where only extremes are wanted quickly.
+  const bool history = options.sampling > 0.0;
+  const double finest = fast && !history ? 0.01 : 0.002;
+  const int per_row = history ? std::max(1, static_cast<int>(std::ceil(options.sampling / finest - 1e-9))) : 0;
+  Observer observer(model, plant, history ? options.sampling / per_row : finest, per_row);
+  if (history) record_roll_in(plant, start, options.sampling, observer);
+  const auto end = fast ? run_fast(plant, start.state, fast_tolerance * options.rtol, options.time_limit, observer)
+                        : run_reference(plant, start.state, options.rtol, options.time_limit, observer);
+
+  Result result;
+  result.entry_speed = overrun.entry_speed;
+  result.mass = plant.mass;
+  result.cg_behind_nose_gear =
+      overrun.cg_behind_nose_gear > 0.0 ? overrun.cg_behind_nose_gear : model.aircraft.cg_behind_nose_gear;
+  fill_ending(plant, end, result);
+  fill_energy(plant, start.state, end, result);
+  if (history) close_history(plant, end, observer);
+  observer.finish(result);
+  result.solver = end.statistics;
+  result.solver.rtol = options.rtol;
+  if (history && !end.left_bed) {
+    result.history.time.back() = result.stop_time;
+    result.history.distance.back() = result.stop_distance;
+    result.history.speed.back() = 0.0;
+  }
+  return result;
+}
+
+}  // namespace
+
+Result simulate(const Model& model, const Overrun& overrun, const Options& options) {
+  require(options.rtol > 0.0 && options.rtol < 0.1, "the relative tolerance must lie between 0 and 0.1, not ",
+          options.rtol);
+  require(options.sampling >= 0.0, "the sampling interval must not be negative, but is ", options.sampling, " s");
+  const auto began = std::chrono::steady_clock::now();
+  const bool altered = [&] {
+    for (const auto& each : overrun.alterations.effects)
+      if (each.effect.site) return true;
+    return false;
+  }();
+  Result result;
+  if (altered) {
+    Model changed = model;
+    effects::Site site{
+        changed.aircraft, changed.bed, overrun.mass > 0.0 ? overrun.mass : model.aircraft.mass,
+        overrun.cg_behind_nose_gear > 0.0 ? overrun.cg_behind_nose_gear : model.aircraft.cg_behind_nose_gear};
+    effects::alter_site(overrun.alterations, site);
+    result = run(changed, overrun, options);
+  } else {
+    result = run(model, overrun, options);
+  }
+  result.solver.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return result;
+}
+
+}  // namespace apc::simulation

@@ -1,0 +1,114 @@
+#include "apc/simulation/trim.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "aircraft/strut.h"
+#include "apc/base/require.h"
+
+namespace apc::simulation {
+namespace {
+
+/// Static attitude of the aircraft file as the first guess, at `speed`.
+std::vector<double> first_guess(const Plant& plant, double speed) {
+  std::vector<double> y(static_cast<std::size_t>(plant.states()), 0.0);
+  const auto n = static_cast<std::size_t>(plant.degrees());
+  const double weight = -plant.gravity.z;
+  // Nose share from the cg; the file's own geometry keeps the attitude near level.
+  double behind = 0.0, tires = 0.0;
+  for (const auto& row : plant.rows) {
+    const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
+    if (row.group > 0) behind -= row.tires * group.extended.x, tires += row.tires;
+  }
+  const double nose = plant.groups.front().extended.x, base = nose + behind / tires;
+  const double nose_load = plant.mass * weight * (base - nose + plant.cg.x) / base;
+  for (std::size_t g = 0; g < plant.groups.size(); ++g) {
+    const auto& group = plant.groups[g];
+    const double share = g == 0 ? nose_load
+                                : (plant.mass * weight - nose_load) * group.rows *
+                                      plant.rows[static_cast<std::size_t>(group.first_row)].tires / tires;
+    const double load = std::max(0.05 * plant.mass, share / group.struts - group.mass / group.struts * weight);
+    y[3 + g] = aircraft::static_stroke(group.strut, load);
+  }
+  const auto& tire = plant.groups.back().ground.table->tire();
+  y[1] = plant.groups.back().tire_radius - tire.rated_deflection - plant.groups.back().extended.z -
+         y[2 + plant.groups.size()];
+  y[n] = speed;
+  return y;
+}
+
+/// Spins at which slip accelerates the wheels as fast as the aircraft.
+void set_spins(const Plant& plant, const Surroundings& around, std::vector<double>& y) {
+  const int n = plant.degrees();
+  std::vector<double> rate(y.size());
+  for (int pass = 0; pass < 3; ++pass) {
+    Moment moment;
+    derivatives(plant, around, 0.0, y.data(), rate.data(), &moment);
+    for (std::size_t r = 0; r < plant.rows.size(); ++r) {
+      const auto& row = moment.rows[r];
+      const double wanted = rate[static_cast<std::size_t>(n)] / row.roll_radius;  // ω′ of a wheel that keeps its slip
+      double slip = 0.0;
+      const bool inertial = plant.wheel_spin == WheelSpin::inertial || plant.brake_mode == BrakeMode::torque;
+      if (inertial && row.ground.load.vertical > 0.0) {
+        const double braked = plant.brake_mode == BrakeMode::torque ? row.brake_torque : 0.0;
+        const double force = (wanted * plant.rows[r].inertia + braked) / (row.roll_radius * plant.rows[r].tires);
+        const double share = std::clamp(force / (slip_friction * row.ground.load.vertical), -0.999, 0.999);
+        slip = slip_friction / slip_stiffness * std::atanh(share);
+      }
+      y[2 * static_cast<std::size_t>(n) + r] = (row.speed - slip * std::hypot(row.speed, slip_floor)) / row.roll_radius;
+    }
+  }
+}
+
+}  // namespace
+
+Trim trim(const Plant& plant, double speed) {
+  const int n = plant.degrees(), states = plant.states(), unknowns = n - 1;
+  Surroundings around;
+  around.ruts.resize(plant.rows.size());
+  Trim result;
+  auto& y = result.state = first_guess(plant, speed);
+  std::vector<double> rate(y.size()), matrix(y.size() * y.size());
+  // Per unknown (Z, θ, strokes, beams): the longest step. Residuals: accelerations, so that rad/s² and m/s² compare.
+  Eigen::MatrixXd a(unknowns, unknowns);
+  Eigen::VectorXd b(unknowns);
+  double residual = INFINITY;
+  for (result.iterations = 1; result.iterations <= 100; ++result.iterations) {
+    set_spins(plant, around, y);
+    jacobian(plant, around, 0.0, y.data(), rate.data(), matrix.data());
+    for (int i = 0; i < unknowns; ++i) {
+      b[i] = -rate[static_cast<std::size_t>(n + 1 + i)];
+      for (int j = 0; j < unknowns; ++j) a(i, j) = matrix[static_cast<std::size_t>((n + 1 + i) * states + 1 + j)];
+    }
+    residual = b.lpNorm<Eigen::Infinity>();
+    if (!std::isfinite(residual)) break;
+    if (residual < 1e-11) break;
+    Eigen::VectorXd step = a.partialPivLu().solve(b);
+    double largest = 0.0;
+    for (int i = 0; i < unknowns; ++i) largest = std::max(largest, std::abs(step[i]) / 0.05);
+    if (!std::isfinite(largest)) break;
+    if (largest > 1.0) step /= largest;
+    for (int i = 0; i < unknowns; ++i) y[static_cast<std::size_t>(1 + i)] += step[i];
+    for (std::size_t g = 0; g < plant.groups.size(); ++g) {  // the gas law ends at V/A
+      const auto& strut = plant.groups[g].strut;
+      y[3 + g] = std::min(y[3 + g], 0.5 * (y[3 + g] - step[static_cast<int>(2 + g)]) +
+                                        0.5 * strut.extended_gas_volume / strut.piston_area);
+    }
+    if (step.lpNorm<Eigen::Infinity>() < 1e-14) break;
+  }
+  if (!(residual < 1e-6))
+    throw SolveError(concat("the aircraft cannot be trimmed at ", speed, " m/s: accelerations of ", residual,
+                            " m/s^2 remain after ", result.iterations, " Newton steps (height ", y[1], " m, pitch ",
+                            y[2], " rad, nose stroke ", y[3],
+                            " m). Check mass, centre of gravity, strut and tire data"));
+  set_spins(plant, around, y);
+  Moment moment;
+  derivatives(plant, around, 0.0, y.data(), rate.data(), &moment);
+  y[0] -= nose_distance(plant, y.data());
+  y[static_cast<std::size_t>(n)] = speed;
+  result.acceleration = moment.cg_acceleration.x;
+  return result;
+}
+
+}  // namespace apc::simulation
