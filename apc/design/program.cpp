@@ -1,0 +1,172 @@
+#include "apc/design/program.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace apc::design {
+
+const char* text(Objective objective) {
+  switch (objective) {
+    case Objective::length:
+      return "length";
+    case Objective::volume:
+      return "volume";
+    case Objective::minimax:
+      return "minimax";
+    default:
+      return "speed";
+  }
+}
+
+namespace {
+
+bool free_ramp(const BedSpace& space) { return space.maximum_ramp > space.minimum_ramp; }
+bool free_depth(const BedSpace& space) { return space.maximum_depth > space.minimum_depth; }
+
+double share(double value, double low, double high) { return (value - low) / (high - low); }
+
+}  // namespace
+
+Eigen::VectorXd point_of(const BedSpace& space, const Profile& profile, double extra) {
+  std::vector<double> z;
+  if (free_ramp(space)) z.push_back(share(profile.ramp, space.minimum_ramp, space.maximum_ramp));
+  if (free_depth(space))
+    for (const double depth : profile.depth) z.push_back(share(depth, space.minimum_depth, space.maximum_depth));
+  z.push_back(extra);
+  return Eigen::Map<Eigen::VectorXd>(z.data(), static_cast<Eigen::Index>(z.size()));
+}
+
+Profile profile_of(const BedSpace& space, const Eigen::VectorXd& z, double reference) {
+  Profile profile{space.minimum_ramp, reference,
+                  std::vector<double>(static_cast<std::size_t>(space.nodes), space.minimum_depth)};
+  Eigen::Index next = 0;
+  if (free_ramp(space)) profile.ramp += z[next++] * (space.maximum_ramp - space.minimum_ramp);
+  if (free_depth(space))
+    for (double& depth : profile.depth) depth += z[next++] * (space.maximum_depth - space.minimum_depth);
+  return profile;
+}
+
+namespace {
+
+/// One point's values appended in the order of the names.
+class Writer {
+ public:
+  Writer(const Evaluator& evaluator, const Aim& aim, Peaks peaks) : evaluator_(evaluator), aim_(aim), peaks_(peaks) {}
+
+  std::vector<Constraint> names() const {
+    const auto& problem = evaluator_.problem();
+    std::vector<Constraint> out;
+    for (const std::size_t k : aim_.cases) {
+      if (!aim_.feasibility) out.push_back({Kind::stop, k, "", -1, ""});
+      for (const auto& each : load_constraints(problem.fleet, k, problem.models[k])) {
+        if (!by_place(each)) out.push_back(each);
+        if (by_place(each))
+          for (int place = 0; place < 4 * (problem.fleet.bed.nodes + 1); ++place)
+            out.push_back({Kind::drag, k, "nose", place, ""});
+      }
+    }
+    const auto slope = [&](const std::string& what) { out.push_back({Kind::slope, 0, "", -1, what}); };
+    slope("slope of the ramp");
+    for (int j = 1; j < problem.fleet.bed.nodes; ++j)
+      slope("slope behind node " + std::to_string(j)), slope("falling slope behind node " + std::to_string(j));
+    return out;
+  }
+
+  Eigen::VectorXd values(const Profile& profile, double extra, const std::vector<Figures>& cases) const {
+    const auto& problem = evaluator_.problem();
+    const double slack = aim_.feasibility ? extra : 0.0;
+    std::vector<double> out{objective(profile, extra)};
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (!aim_.feasibility) out.push_back(stop(i, cases[i], extra));
+      const auto names = load_constraints(problem.fleet, aim_.cases[i], problem.models[aim_.cases[i]]);
+      for (std::size_t c = 0; c < names.size(); ++c) {
+        if (!by_place(names[c])) out.push_back(cases[i].use[c] - 1.0 - slack);
+        if (by_place(names[c]))
+          for (const double use : cases[i].nose_use) out.push_back(use - 1.0 + aim_.allowance - slack);
+      }
+    }
+    const auto& space = problem.fleet.bed;
+    out.push_back(profile.depth.front() / profile.ramp / space.maximum_slope - 1.0);
+    const auto at = profile.stations();
+    for (std::size_t j = 0; j + 1 < at.size(); ++j) {
+      const double slope = (profile.depth[j + 1] - profile.depth[j]) / (at[j + 1] - at[j]) / space.maximum_slope;
+      out.push_back(slope - 1.0), out.push_back(-slope - 1.0);
+    }
+    return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+  }
+
+ private:
+  bool by_place(const Constraint& each) const {
+    return peaks_ == Peaks::watched && each.kind == Kind::drag && each.gear == "nose";
+  }
+  double objective(const Profile& profile, double extra) const {
+    if (aim_.feasibility || aim_.objective != Objective::volume)
+      return aim_.objective == Objective::speed && !aim_.feasibility ? -extra : extra;
+    const auto& space = evaluator_.problem().fleet.bed;
+    return profile.section(extra * aim_.reference) / (space.maximum_depth * aim_.reference);
+  }
+  double stop(std::size_t i, const Figures& figures, double extra) const {
+    if (aim_.objective == Objective::speed) return figures.distance / aim_.length - 1.0;
+    if (aim_.objective == Objective::minimax) return figures.distance / aim_.alone[i] - extra;
+    return figures.distance / aim_.reference - extra;
+  }
+
+  const Evaluator& evaluator_;
+  Aim aim_;
+  Peaks peaks_;
+};
+
+/// Range of z_t.
+std::pair<double, double> extra_range(const Evaluator& evaluator, const Aim& aim) {
+  if (aim.feasibility) return {-1.0, 20.0};
+  if (aim.objective == Objective::speed) return {0.3, 1.5};
+  if (aim.objective == Objective::minimax) return {0.8, 10.0};
+  return {0.2, evaluator.reach() / aim.reference};
+}
+
+}  // namespace
+
+Program make_program(Evaluator& evaluator, const Aim& aim, Peaks peaks) {
+  const auto& space = evaluator.problem().fleet.bed;
+  const auto writer = Writer(evaluator, aim, peaks);
+  const auto size = point_of(space, profile_of(space, Eigen::VectorXd::Zero(space.nodes + 2), 100.0), 0.0).size();
+  Program program{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Ones(size), writer.names(), {}};
+  std::tie(program.low[size - 1], program.high[size - 1]) = extra_range(evaluator, aim);
+  program.evaluate = [&evaluator, aim, writer](const std::vector<Eigen::VectorXd>& points) {
+    std::vector<Trial> trials;
+    for (const auto& z : points) {
+      const double factor = aim.objective == Objective::speed && !aim.feasibility ? z[z.size() - 1] : 1.0;
+      trials.push_back({profile_of(evaluator.problem().fleet.bed, z, aim.reference), factor});
+    }
+    const auto all = evaluator.run(trials, aim.cases);
+    std::vector<Eigen::VectorXd> out;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      out.push_back(writer.values(trials[i].profile, points[i][points[i].size() - 1], all[i]));
+    return out;
+  };
+  return program;
+}
+
+Eigen::MatrixXd jacobian(const Program& program, const Eigen::VectorXd& z, double step, Differences kind) {
+  std::vector<Eigen::VectorXd> points{z};
+  std::vector<double> sign;
+  for (Eigen::Index j = 0; j < z.size(); ++j) {
+    sign.push_back(z[j] + step > program.high[j] ? -1.0 : 1.0);
+    points.push_back(z);
+    points.back()[j] += sign.back() * step;
+    if (kind == Differences::forward) continue;
+    points.push_back(z);
+    points.back()[j] -= sign.back() * step;
+  }
+  const auto values = program.evaluate(points);
+  Eigen::MatrixXd out(values.front().size(), z.size());
+  for (Eigen::Index j = 0; j < z.size(); ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    out.col(j) = kind == Differences::forward
+                     ? Eigen::VectorXd((values[1 + at] - values[0]) * (sign[at] / step))
+                     : Eigen::VectorXd((values[1 + 2 * at] - values[2 + 2 * at]) * (sign[at] / (2 * step)));
+  }
+  return out;
+}
+
+}  // namespace apc::design
