@@ -52,16 +52,24 @@ bool failed(const RollingRun& run, RollingResult& result) {
                             kinetic, " J. Try a smaller cfl or a finer spacing.");
     return true;
   }
-  const double limit = run.setup.tire_overload * run.setup.tire.bottoming_load;
-  if (run.history.vertical.empty()) return false;
-  const double load = run.history.vertical.back(), deflection = run.history.deflection.back();
-  if (load > limit || deflection > catalogue_deflection(run.setup.tire, limit)) {
-    result.state = RunState::tire_overloaded;
-    result.message = concat("tire overloaded: ", load / units::lbf, " lbf, ", deflection / units::in, " in; limit ",
-                            limit / units::lbf, " lbf (", run.setup.tire_overload, " of bottoming)");
-    return true;
-  }
-  return false;
+  // A transient may pass the limit; nothing can be measured on a tire that has bottomed.
+  if (run.history.vertical.empty() || run.history.deflection.back() < run.setup.tire.bottoming_deflection) return false;
+  result.state = RunState::tire_overloaded;
+  result.message = concat("tire bottomed: deflection ", run.history.deflection.back() / units::in, " in, load ",
+                          run.history.vertical.back() / units::lbf, " lbf at ", run.history.distance.back() / units::in,
+                          " in of travel");
+  return true;
+}
+
+/// Whether the measured load is more than the tire model is good for.
+void judge_load(const RollingRun& run, RollingResult& result) {
+  const TireShape& tire = run.setup.tire;
+  const double limit = run.setup.tire_overload * tire.bottoming_load, deepest = catalogue_deflection(tire, limit);
+  if (result.state == RunState::unstable || (result.vertical <= limit && result.tire_deflection <= deepest)) return;
+  result.state = RunState::tire_overloaded;
+  result.message = concat("tire overloaded: ", result.vertical / units::lbf, " lbf, ",
+                          result.tire_deflection / units::in, " in; the limit is ", limit / units::lbf, " lbf, ",
+                          deepest / units::in, " in (", run.setup.tire_overload, " of bottoming)");
 }
 
 void finish(const RollingRun& run, RollingResult& result) {
@@ -105,6 +113,12 @@ const char* name_of(RunState state) {
   }
 }
 
+double recommended_spacing(const TireShape& tire, double bed_depth) {
+  const double narrow = 5.0 * units::in, wide = 16.0 * units::in;
+  const double share = std::clamp((tire.width - narrow) / (wide - narrow), 0.0, 1.0);
+  return std::min(tire.width / (6.0 + 2.0 * share), bed_depth / 5.0);
+}
+
 RollingCase completed(const RollingCase& given) {
   RollingCase c = given;
   using units::in;
@@ -122,7 +136,7 @@ RollingCase completed(const RollingCase& given) {
   const double touch =
       c.penetration < radius ? std::sqrt(radius * radius - std::pow(radius - c.penetration, 2)) : radius;
   fill(c.bed_half_width, (0.5 + c.bed_margin) * c.tire.width);
-  fill(c.ahead, touch + std::max(0.5 * radius, 6.0 * c.spacing));
+  fill(c.ahead, touch + std::max(0.35 * radius, 5.0 * c.spacing));
   fill(c.behind, std::max(radius, 8.0 * c.spacing));
   fill(c.press_speed, std::clamp(0.6 * c.speed, 4.0, 15.0));
   fill(c.accelerate_distance, 0.5 * radius);
@@ -163,6 +177,7 @@ RollingResult roll(const RollingCase& given, const RollOptions& options) {
     }
   }
   finish(run, result);
+  judge_load(run, result);
   if (result.state == RunState::did_not_settle)
     result.message =
         concat("did not settle within ", setup.longest / units::in,

@@ -26,23 +26,27 @@ struct RollingCase {
   double friction = 0.3;     ///< of tire on foam; state it with every load
 
   double bed_half_width = 0.0;  ///< m; 0 = half the tire's width + bed_margin times its width
-  double bed_margin = 0.8;      ///< free width beside the tire in tire widths
+  double bed_margin = 0.5;      ///< free width beside the tire in tire widths
   bool outer_wall = true;       ///< mirror plane at the half-width, otherwise a free face
-  double ahead = 0.0;           ///< m of free foam ahead of the axle; 0 = first touch + 0.5 R (at least 6 spacings)
+  double ahead = 0.0;           ///< m of free foam ahead of the axle; 0 = first touch + 0.35 R (at least 5 spacings)
   double behind = 0.0;          ///< m behind once it rolls; 0 = R (at least 8 spacings)
   double press_speed = 0.0;     ///< m/s, highest while pressing; 0 = 0.6 of `speed`, 4 to 15 m/s
   double accelerate_distance = 0.0;       ///< m; 0 = R/2
   double release_spin_ratio = 1.0 / 3.0;  ///< ω R/v when the spin is released
   double alpha = 0.1, beta = 2.0;         ///< artificial viscosity
-  double cfl = 0.25;
-  double tire_overload = 0.8;  ///< share of the bottoming load (and the deflection there) at which a run is refused
+  double cfl = 0.35;
+  double tire_overload = 0.8;  ///< share of the bottoming load (and the deflection there) above which a run is refused
 
   // Settling: the loads are averaged over windows of travel; a run is steady when the last two windows differ by less.
-  double window = 0.0;           ///< m; 0 = R
-  double longest = 0.0;          ///< m of travel after the release; 0 = 6 R
-  double load_tolerance = 0.03;  ///< relative change of drag and vertical (against the larger of the two)
-  double spin_tolerance = 0.03;  ///< absolute change of ω R/v
+  double window = 0.0;            ///< m; 0 = R
+  double longest = 0.0;           ///< m of travel after the release; 0 = 6 R
+  double load_tolerance = 0.02;   ///< relative change of drag and vertical (against the larger of the two)
+  double spin_tolerance = 0.015;  ///< absolute change of ω R/v
 };
+
+/// Particle spacing for a load campaign: an eighth of the tire's width for wide tires, a sixth for the narrowest, and
+/// at least five layers in the bed.
+double recommended_spacing(const TireShape&, double bed_depth);
 
 enum class RunState { steady, did_not_settle, tire_overloaded, unstable };
 const char* name_of(RunState);
