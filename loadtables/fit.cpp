@@ -1,5 +1,6 @@
 #include "loadtables/fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -57,6 +58,45 @@ std::vector<double> along(const Eigen::MatrixXd& matrix, const std::vector<doubl
   return result;
 }
 
+/// Nearest growing sequence in least squares (pool adjacent violators; Ayer et al. 1955, Ann. Math. Stat. 26, 641–647),
+/// with at least `rise` between neighbours.
+void make_growing(std::vector<double>& values, double rise) {
+  struct Pool {
+    double sum;
+    std::size_t count;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    pools.push_back({values[i] - rise * static_cast<double>(i), 1});
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      pools[pools.size() - 2].sum += pools.back().sum;
+      pools[pools.size() - 2].count += pools.back().count;
+      pools.pop_back();
+    }
+  }
+  std::size_t i = 0;
+  for (const auto& pool : pools)
+    for (std::size_t k = 0; k < pool.count; ++k, ++i) values[i] = pool.mean() + rise * static_cast<double>(i);
+}
+
+/// A tire that sinks deeper is carried by more: where sparse samples leave ripples in the vertical load, they are
+/// levelled along r. `line` starts at the first of `count` nodes of one speed and depth. Returns the largest relative
+/// change.
+double level_vertical(double* line, std::size_t count) {
+  std::vector<double> values(count);
+  for (std::size_t k = 0; k < count; ++k) values[k] = line[k * responses + vertical];
+  const double largest = *std::max_element(values.begin(), values.end());
+  if (!(largest > 0.0)) return 0.0;
+  make_growing(values, 2e-4 * largest);
+  double change = 0.0;
+  for (std::size_t k = 0; k < count; ++k) {
+    change = std::max(change, std::abs(values[k] - line[k * responses + vertical]) / largest);
+    line[k * responses + vertical] = values[k];
+  }
+  return change;
+}
+
 void resample(const Metamodel& model, LoadTable::Data& data) {
   const auto speeds = static_cast<std::size_t>(data.speed.nodes), depths = static_cast<std::size_t>(data.depth.nodes),
              ratios = static_cast<std::size_t>(data.ratio.nodes);
@@ -73,6 +113,9 @@ void resample(const Metamodel& model, LoadTable::Data& data) {
         else
           next += responses;
       }
+  for (std::size_t line = 0; line < speeds * depths; ++line)
+    data.growth_correction =
+        std::max(data.growth_correction, level_vertical(values.data() + line * ratios * responses, ratios));
   values = along(interpolation(data.ratio, LowerEnd::rest), values, speeds * depths, responses);
   const auto ratio_count = static_cast<std::size_t>(data.ratio.coefficients());
   values = along(interpolation(data.depth, LowerEnd::linear), values, speeds, ratio_count * responses);

@@ -32,6 +32,8 @@ struct LoadTable::Data {
   Axis speed, depth, ratio;                            ///< m/s, u(h), r = P / P_max(h)
   /// Shape (speed + 2) × (depth + 2) × (ratio + 2) × responses, last fastest; N, N, m, 1.
   std::vector<double> coefficients;
+  /// Largest change made to a node's vertical load so that it grows with penetration, relative to the line's largest.
+  double growth_correction = 0.0;
   SampleSet samples;  ///< what it was fitted to, so that it can be refitted, checked and exported
 };
 

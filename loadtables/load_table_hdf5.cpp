@@ -102,7 +102,8 @@ SampleSet read_samples(const Hdf5Reader& file) {
 void write_quality(Hdf5Writer& file, const std::vector<FitQuality>& list) {
   for (const auto& each : list) {
     const auto group = "quality/" + each.response;
-    file.attribute(group, "points", each.points);
+    file.attribute(group, "response", each.response);
+    file.attribute(group, "points", static_cast<double>(each.points));
     file.attribute(group, "rms_relative", each.rms_relative);
     file.attribute(group, "loo_rms_relative", each.loo_rms_relative);
     file.attribute(group, "r2", each.r2);
@@ -146,6 +147,7 @@ void save_table(const LoadTable& table, const std::filesystem::path& path) {
                                        {"runs", static_cast<double>(from.runs)},
                                        {"refused", static_cast<double>(from.refused)}})
       file.attribute("/", name, number);
+    file.attribute("/", "growth_correction", data.growth_correction);
     write_axis(file, "axes/speed", data.speed, "m/s");
     write_axis(file, "axes/depth_scale", data.depth, "1");
     write_axis(file, "axes/relative_penetration", data.ratio, "1");
@@ -197,6 +199,7 @@ LoadTable load_table(const std::filesystem::path& path) {
   data->ratio = read_axis(file, "axes/relative_penetration");
   require(file.number("axes", "depth_reference_m") == DepthScale::reference, path.string(),
           ": was made with another depth scale. Make the table again with apc loads fit");
+  data->growth_correction = file.number("/", "growth_correction");
   data->tire = read_tire(file);
   data->penetration = penetration_scale(data->tire);
   data->penetration.compaction = file.number("axes", "compaction");
