@@ -80,17 +80,23 @@ std::vector<loadtables::LoadTable> choose_tables(const fs::path& folder, const f
 }  // namespace
 
 Inputs read_inputs(const Choice& choice) {
-  Inputs inputs;
-  const auto aircraft_file = resolve(choice.aircraft, "aircraft/data", "aircraft");
+  resolve(choice.aircraft, "aircraft/data", "aircraft");  // the first name is the first to be told wrong
   const auto bed_file = resolve(choice.bed, "designs/beds", "bed");
   auto bed = bed::load_bed(bed_file);
+  const auto from = note("bed", bed_file, bed.source);
+  return read_inputs(choice, std::move(bed), from);
+}
+
+Inputs read_inputs(const Choice& choice, bed::Bed bed, const report::InputFile& from) {
+  Inputs inputs;
+  const auto aircraft_file = resolve(choice.aircraft, "aircraft/data", "aircraft");
   std::vector<report::InputFile> tires;
   auto plane = aircraft::load_aircraft(aircraft_file, read_tires(choice.tires, aircraft_file, tires));
   inputs.files.push_back(note("aircraft", aircraft_file, plane.source));
   inputs.files.insert(inputs.files.end(), tires.begin(), tires.end());
-  inputs.files.push_back(note("bed", bed_file, bed.source));
+  inputs.files.push_back(from);
   const auto folder = choice.loads.empty() ? shipped("loadtables/data") : choice.loads;
-  const auto tables = choose_tables(folder, bed_file, plane, bed.material, inputs.files);
+  const auto tables = choose_tables(folder, from.path, plane, bed.material, inputs.files);
   inputs.model = simulation::make_model(std::move(plane), std::move(bed), tables);
   return inputs;
 }

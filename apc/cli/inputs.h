@@ -23,6 +23,9 @@ struct Inputs {
 
 /// Throws InputError for anything that is missing or wrong, before any work is done.
 Inputs read_inputs(const Choice&);
+/// The same for a bed that is at hand; `from` notes where it comes from ("fleet", "design") and names the place in
+/// messages.
+Inputs read_inputs(const Choice&, bed::Bed, const report::InputFile& from);
 
 /// The tire library for an aircraft's file: `tires` when it is given, otherwise the shipped one and a tires.json beside
 /// the aircraft's file, which wins. Notes what was read.
