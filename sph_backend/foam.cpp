@@ -29,7 +29,7 @@ Foam ideal_foam_50psi() {
   foam.youngs_modulus = 2000.0 * psi;
   foam.tension_cutoff = 10.0 * psi;
   foam.damping = 1e-4;
-  foam.load_curve = LinearCurve({0.0, 0.85, 0.90, 1.0}, {50.0 * psi, 50.0 * psi, 550.0 * psi, 10550.0 * psi});
+  foam.load_curve = LinearCurve({0.0, 0.85, 0.90, 1.0}, {50.0 * psi, 50.0 * psi, 550.0 * psi, 20550.0 * psi});
   return foam;
 }
 

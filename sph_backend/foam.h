@@ -31,7 +31,7 @@ struct Foam {
 };
 
 /// The idealised foam of the published comparison: 3.75e-5 lbf s²/in⁴, E 2000 psi, ν 0, 50 psi up to 85 %, then a lock
-/// of 10,000 psi per unit strain to 90 % and 100,000 beyond (the last against over-compaction when a wheel ploughs).
+/// of 10,000 psi per unit strain to 90 % and 200,000 beyond (the last against over-compaction when a wheel ploughs).
 Foam ideal_foam_50psi();
 
 /// σ_y on a uniform grid of γ in [0, 1), for fast look-up; linear between the entries.
