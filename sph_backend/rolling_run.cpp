@@ -136,17 +136,17 @@ void step(RollingRun& run) {
   if (axle.vx > 0.0) sample(run, axle);
 }
 
-double rut_depth(const RollingRun& run) {
-  // Highest particle on the centreline in a slice that the tire has left.
+double surface_behind(const RollingRun& run) {
+  // Highest crushed particle on the centreline in a slice that the tire has left; loose fragments lie above it.
   const Particles& p = run.bed.particles;
   const double dx = run.setup.spacing, at = run.path.at(run.bed.time).x - 0.55 * run.radius();
-  double top = 0.0;
+  double top = -1.0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.id[i] < 0 || std::abs(p.x[i] - at) > dx || p.y[i] > 0.25 * run.setup.tire.width) continue;
-    const double s = p.stretch[i];
-    top = std::max(top, p.z[i] + 0.5 * run.bed.layer / (s * s * s));
+    const double s = p.stretch[i], ratio = 1.0 / (s * s * s);
+    if (ratio < 0.7) top = std::max(top, p.z[i] + 0.5 * run.bed.layer * ratio);
   }
-  return run.setup.bed_depth - top;
+  return top < 0.0 ? run.setup.bed_depth : top;
 }
 
 }  // namespace apc::sph

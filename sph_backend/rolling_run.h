@@ -38,7 +38,7 @@ RollingCase completed(const RollingCase& setup);
 RollingRun start_run(const RollingCase& completed, unsigned threads);
 void step(RollingRun&);
 
-/// Crushed surface behind the tire.
-double rut_depth(const RollingRun&);
+/// Height of the crushed surface behind the tire, m above the rigid plane.
+double surface_behind(const RollingRun&);
 
 }  // namespace apc::sph

@@ -78,7 +78,8 @@ void finish(const RollingRun& run, RollingResult& result) {
   result.energy.tire_stored = stored_energy(run.tire);
   result.energy.tire_kinetic = tread_kinetic_energy(run.tire);
   result.residual = result.energy.residual();
-  result.rut_depth = rut_depth(run);
+  result.rut_depth = run.setup.penetration - result.tire_deflection;
+  result.rut_left = run.setup.bed_depth - surface_behind(run);
   const GasState gas = gas_state(run.tire);
   result.gas_pressure = gas.pressure, result.gas_volume_change = gas.volume_change;
   const BedState state = inspect(run.bed);
@@ -141,7 +142,7 @@ RollingCase completed(const RollingCase& given) {
   fill(c.press_speed, std::clamp(0.6 * c.speed, 4.0, 15.0));
   fill(c.accelerate_distance, 0.5 * radius);
   fill(c.window, radius);
-  fill(c.longest, 6.0 * radius);
+  fill(c.longest, 10.0 * radius);
   return c;
 }
 

@@ -39,7 +39,7 @@ struct RollingCase {
 
   // Settling: the loads are averaged over windows of travel; a run is steady when the last two windows differ by less.
   double window = 0.0;            ///< m; 0 = R
-  double longest = 0.0;           ///< m of travel after the release; 0 = 6 R
+  double longest = 0.0;           ///< m of travel after the release; 0 = 10 R
   double load_tolerance = 0.02;   ///< relative change of drag and vertical (against the larger of the two)
   double spin_tolerance = 0.015;  ///< absolute change of ω R/v
 };
@@ -60,7 +60,8 @@ struct RollingResult {
   RunState state = RunState::unstable;
   std::string message;
   double drag = 0.0, vertical = 0.0;  ///< N, whole tire: twice the modelled half
-  double rut_depth = 0.0;             ///< m, crushed surface behind the tire on the centreline
+  double rut_depth = 0.0;             ///< m: penetration − tire deflection, the crush under the tire
+  double rut_left = 0.0;              ///< m, surface left behind on the centreline (after elastic rebound, no debris)
   double spin_ratio = 0.0;            ///< ω R/v, R undeformed
   double tire_deflection = 0.0;       ///< m, largest on the crown
   double drag_change = 0.0, vertical_change = 0.0, spin_change = 0.0;  ///< between the last two windows
