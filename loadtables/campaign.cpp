@@ -5,6 +5,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
@@ -64,7 +66,7 @@ class Ledger {
     ++made_;
     if (!outcome.steady()) ++refused_;
     if (options_.progress)
-      options_.progress(total_ > 0.0 ? done_ / total_ : 1.0,
+      options_.progress(total_ > 0.0 ? std::min(done_ / total_, 1.0) : 1.0,
                         fmt::format("{} runs made{}", made_, refused_ ? fmt::format(", {} refused", refused_) : ""));
   }
   void skip(const PlannedRun& run) {
@@ -89,7 +91,7 @@ int run_campaign(const fs::path& folder, const CampaignSettings& settings,
   std::vector<PlannedRun> left;
   double work = 0.0;
   for (const auto& status : campaign_status(folder)) {
-    if (status.outcome || (options.first > 0 && static_cast<int>(left.size()) >= options.first)) continue;
+    if (status.outcome) continue;
     left.push_back(status.planned);
     work += estimated_work(status.planned);
   }
@@ -98,7 +100,10 @@ int run_campaign(const fs::path& folder, const CampaignSettings& settings,
   fs::create_directories(folder / "results", error);
   require(!error, folder.string(), ": cannot make the folder for results (", error.message(), ")");
 
+  if (options.first > 0 && static_cast<std::size_t>(options.first) < left.size())
+    work *= static_cast<double>(options.first) / static_cast<double>(left.size());
   Ledger ledger(work, options);
+  std::atomic<int> begun{0};
   parallel_for(left.size(), std::max(1u, options.jobs), [&](std::size_t i) {
     if (options.stop && options.stop()) throw Interrupted();
     const auto& run = left[i];
@@ -109,6 +114,7 @@ int run_campaign(const fs::path& folder, const CampaignSettings& settings,
       ledger.skip(run);
       return;
     }
+    if (options.first > 0 && begun++ >= options.first) return;
     RunOutcome outcome;
     try {
       outcome = make(run);
@@ -148,7 +154,8 @@ CampaignSamples campaign_samples(const fs::path& folder) {
   result.set.material = plan.material;
   result.set.tire = plan.tire.name;
   result.set.source = fmt::format(
-      "{}: SPH runs of one free-rolling, unbraked tire, friction {:g}, particle spacing {:.1f} mm, ACRP Report 29 "
+      "{}: SPH runs of one free-rolling, unbraked tire, friction {:g}, particle spacing {:.1f} mm (finer in thin "
+      "beds), ACRP Report 29 "
       "§9.4.3.3 sequence",
       settings->solver, settings->friction, 1e3 * settings->spacing);
   result.set.has_rut = result.set.has_spin = true;

@@ -33,7 +33,7 @@ struct RunOutcome {
 /// How the runs of a folder are made. Fixed by the first run: samples of different making must not be mixed.
 struct CampaignSettings {
   double friction = 0.3;
-  double spacing = 0.0;  ///< m
+  double spacing = 0.0;  ///< m, largest; thin beds are resolved finer
   std::string solver;    ///< "apc sph 0.1.0"
   std::string command;   ///< of the first run; informative, may differ later
 };
