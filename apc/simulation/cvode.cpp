@@ -198,6 +198,11 @@ double Cvode::step() {
                state, "]. Try a looser tolerance, and look for damping, friction or stops out of proportion"),
         time_);
   }
+  if (!(reached - before > 1e-15 * (1.0 + std::abs(before))))
+    throw SolveError(concat("CVODES stands still at t = ", time_,
+                            " s: its steps no longer move the time. Try a looser "
+                            "tolerance, and look for laws that end or jump there"),
+                     time_);
   previous_ = before;
   time_ = reached;
   return time_;

@@ -131,7 +131,7 @@ class Course {
       any_follower_ = true;
       const auto r = static_cast<std::size_t>(row.ahead);
       const auto& seen = moment_.rows[r];
-      if (!around_.in_bed[r] || seen.distance < 0.0) continue;
+      if (!around_.in_bed[r] || seen.distance < -1.0) continue;
       if (seen.penetration <= 0.0)
         around_.ruts[r].write(seen.distance, {});
       else
@@ -178,6 +178,7 @@ class Course {
       solver_.start(until, y_);
     }
     look(until);
+    write_ruts();
     power_ = powers(plant_, around_, y_.data(), moment_);
   }
 

@@ -121,8 +121,8 @@ void Rosenbrock::solve(const State& right, State& solution) const {
     w[r] = sum * spin_inverse_[static_cast<std::size_t>(r)];
     for (int i = 0; i < n; ++i) v[i] += rate_by_spin_[static_cast<std::size_t>(r * n + i)] * w[r];
   }
+  for (int c = 0; c < n; ++c) std::swap(v[c], v[pivot_[static_cast<std::size_t>(c)]]);
   for (int c = 0; c < n; ++c) {
-    std::swap(v[c], v[pivot_[static_cast<std::size_t>(c)]]);
     for (int i = c + 1; i < n; ++i) v[i] -= m_[static_cast<std::size_t>(i * n + c)] * v[c];
   }
   for (int i = n - 1; i >= 0; --i) {

@@ -31,7 +31,7 @@ GroundLoad deepened(const TireBed& ground, const effects::TirePlace& place, cons
   const auto excess = [&](double virgin_penetration, TireLoad& load) {
     load = virgin(ground, at_penetration(place, virgin_penetration));
     const double depth = std::max(load.rut_depth, 1e-9);
-    const double gain = 1.0 + (ground.following.bearing_gain - 1.0) * std::min(1.0, ahead.depth / depth);
+    const double gain = 1.0 + (ground.following.bearing_gain - 1.0) * std::sqrt(std::min(1.0, ahead.depth / depth));
     return on_floor(ground, speed, penetration - load.rut_depth).vertical - gain * load.vertical;
   };
   TireLoad load;
@@ -117,6 +117,15 @@ GroundLoad ground_load_with_slopes(const TireBed& ground, const effects::TirePla
     result.vertical = lanes(all.vertical);
     result.rut_depth = lanes(all.rut_depth);
     result.spin_ratio = lanes(all.spin_ratio);
+    return result;
+  }
+  if (!behind) {
+    const auto all = effects::load_with_slopes(*ground.table, *ground.alterations, ground.facts, place);
+    auto result = plain(all.load, place.contact.penetration);
+    result.drag = all.drag;
+    result.vertical = all.vertical;
+    result.rut_depth = all.rut_depth;
+    result.spin_ratio = all.spin_ratio;
     return result;
   }
   auto result = ground_load(ground, place, ahead);

@@ -6,8 +6,9 @@
 ///   F_tire(P − D₀) ≤ c F_z*      rides on the floor of the rut: F_z = F_tire(P − D₀), F_x = μ_r F_z, D = D₀
 ///   otherwise                    deepens it to D = rut(P̂) with F_tire(P − D) = c F_z(P̂): F_z = F_tire(P − D),
 ///                                F_x = F_x(P̂) − F_x* + μ_r F_z: only the further compaction is paid for
-/// c = 1 + (c_g − 1) D₀/D: on an old floor both halves of the contact patch bear (c_g ≈ 2), in virgin material the
-/// front half only. c_g and μ_r have no public data; they are inputs (estimated).
+/// c = 1 + (c_g − 1) √(D₀/D): on an old floor both halves of the contact patch bear (c_g ≈ 2), in virgin material the
+/// front half only; the root keeps the load growing with penetration. c_g and μ_r have no public data; they are inputs
+/// (estimated).
 #pragma once
 
 #include <array>

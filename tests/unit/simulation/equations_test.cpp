@@ -1,0 +1,191 @@
+#include "apc/simulation/equations.h"
+
+#include <gtest/gtest.h>
+
+#include "apc/base/require.h"
+#include "apc/simulation/dual.h"
+#include "apc/simulation/energy.h"
+#include "apc/simulation/overrun_run.h"
+#include "apc/simulation/trim.h"
+#include "tests/support/simulation_models.h"
+
+namespace apc::simulation {
+namespace {
+
+TEST(Dual, CarriesDerivativesThroughEveryOperation) {
+  const auto f = [](const auto& x) {
+    using std::sin, std::cos, std::tanh, std::sqrt, std::pow, std::abs;
+    return sin(x) * cos(2.0 * x) + tanh(x) / sqrt(1.0 + x * x) - pow(x, -1.1) + 3.0 / x + abs(-x) * 0.5 - (1.0 - x);
+  };
+  const double x = 0.7, h = 1e-6;
+  EXPECT_NEAR(f(Dual<1>::variable(x, 0)).d[0], (f(x + h) - f(x - h)) / (2 * h), 1e-8);
+}
+
+/// A state well inside a bed, everything moving.
+std::vector<double> lively_state(const Plant& plant) {
+  auto y = trim(plant, 25.0).state;
+  const auto n = static_cast<std::size_t>(plant.degrees());
+  y[0] += 45.0;
+  y[1] -= 0.25;
+  y[2] = 0.01;
+  y[n + 1] = 0.1;
+  y[n + 2] = -0.05;
+  for (std::size_t g = 0; g < plant.groups.size(); ++g) y[n + 3 + g] = 0.03 * (g % 2 == 0 ? 1.0 : -1.0);
+  return y;
+}
+
+TEST(Equations, JacobianAgreesWithDifferencesForEveryShippedAircraft) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+    const auto model = testing::foam_model(name, testing::foam_bed(0.45));
+    Overrun overrun;
+    overrun.entry_speed = 25.0;
+    overrun.braking = 0.2;
+    const auto plant = make_plant(model, overrun);
+    const auto y = lively_state(plant);
+    const auto around = surroundings_at_entry(plant);
+    const auto n = y.size();
+    std::vector<double> rate(n), matrix(n * n), up(n), down(n);
+    jacobian(plant, around, 0.0, y.data(), rate.data(), matrix.data());
+    for (std::size_t j = 0; j < n; ++j) {
+      const double h = 1e-6;
+      auto a = y, b = y;
+      a[j] += h;
+      b[j] -= h;
+      derivatives(plant, around, 0.0, a.data(), up.data());
+      derivatives(plant, around, 0.0, b.data(), down.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        const double difference = (up[i] - down[i]) / (2 * h);
+        EXPECT_NEAR(matrix[i * n + j], difference, 2e-4 * (1.0 + std::abs(difference))) << name << " " << i << "," << j;
+      }
+    }
+  }
+}
+
+TEST(Equations, ConserveEnergyAtEveryInstant) {
+  // d(stores)/dt + Σ powers = 0 along the motion, checked at one instant by differences.
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"})
+    for (const auto mode : {BrakeMode::friction, BrakeMode::torque}) {
+      const auto model = testing::foam_model(name, testing::foam_bed(0.45));
+      Overrun overrun;
+      overrun.entry_speed = 25.0;
+      overrun.braking = 0.2;
+      overrun.brake_mode = mode;
+      overrun.thrust = -8000.0;
+      const auto plant = make_plant(model, overrun);
+      const auto y = lively_state(plant);
+      const auto around = surroundings_at_entry(plant);
+      std::vector<double> rate(y.size());
+      Moment moment;
+      derivatives(plant, around, 0.0, y.data(), rate.data(), &moment);
+      const double h = 1e-6;
+      auto after = y, before = y;
+      for (std::size_t i = 0; i < y.size(); ++i) after[i] += h * rate[i], before[i] -= h * rate[i];
+      const double gained = (stores(plant, after.data()).sum() - stores(plant, before.data()).sum()) / (2 * h);
+      double lost = 0.0, largest = 0.0;
+      for (const double power : powers(plant, around, y.data(), moment)) {
+        lost += power;
+        largest = std::max(largest, std::abs(power));
+      }
+      EXPECT_NEAR(gained + lost, 0.0, 1e-6 * largest) << name;
+    }
+}
+
+TEST(Trim, CarriesTheWeightOnAnySlope) {
+  for (const double grade : {0.0, 0.02}) {
+    auto bed = testing::pavement();
+    bed.grade = grade;
+    auto plane = testing::shipped_aircraft("B737-800");
+    plane.aero = {};
+    const auto model = testing::foam_model("B737-800", bed);
+    Model still = model;
+    still.aircraft = plane;
+    Overrun overrun;
+    overrun.entry_speed = 30.0;
+    const auto plant = make_plant(still, overrun);
+    const auto balance = trim(plant, 30.0);
+    std::vector<double> rate(balance.state.size());
+    Moment moment;
+    Surroundings around;
+    around.ruts.resize(plant.rows.size());
+    derivatives(plant, around, 0.0, balance.state.data(), rate.data(), &moment);
+    double vertical = 0.0;
+    for (std::size_t r = 0; r < plant.rows.size(); ++r) vertical += moment.rows[r].force_z;
+    const double weight = plant.mass * units::g0 * std::cos(std::atan(grade));
+    EXPECT_NEAR(vertical, weight, 1e-10 * weight);
+  }
+}
+
+TEST(Trim, GivesTheNoseItsShareAndTheFilesOwnAttitude) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+    auto plane = testing::shipped_aircraft(name);
+    plane.aero = {};
+    auto model = testing::exact_model(plane, [&](double, double penetration) {
+      return TireLoad{0.0, 3e6 * penetration};
+    });
+    for (std::size_t g = 0; g < plane.gears.size(); ++g) {  // the tires' own curves, linear through the static point
+      const auto& tire = plane.tires.at(plane.gears[g].tire);
+      model.tables[g] = testing::foam_table(tire);
+    }
+    Overrun overrun;
+    overrun.entry_speed = 20.0;
+    const auto plant = make_plant(model, overrun);
+    const auto balance = trim(plant, 1e-3);
+    EXPECT_NEAR(balance.state[2], 0.0, 3e-4) << name;  // rad: only rolling resistance pitches it
+    std::vector<double> rate(balance.state.size());
+    Moment moment;
+    Surroundings around;
+    around.ruts.resize(plant.rows.size());
+    derivatives(plant, around, 0.0, balance.state.data(), rate.data(), &moment);
+    double behind = 0.0, wheels = 0.0;
+    for (const auto& gear : plane.gears)
+      if (!gear.is_nose()) behind += gear.wheels() * gear.behind_nose_gear, wheels += gear.wheels();
+    const double base = behind / wheels;
+    EXPECT_NEAR(moment.rows[0].force_z / (plane.mass * units::g0), (base - plane.cg_behind_nose_gear) / base, 2e-3)
+        << name;
+  }
+}
+
+TEST(Trim, BrakingLoadsTheNoseByItsMoment) {
+  auto plane = testing::shipped_aircraft("B737-800");
+  plane.aero = {};
+  auto model = testing::foam_model("B737-800", testing::pavement());
+  model.aircraft = plane;
+  Overrun overrun;
+  overrun.entry_speed = 30.0;
+  const auto load = [&](double braking, double& deceleration) {
+    overrun.braking = braking;
+    const auto plant = make_plant(model, overrun);
+    const auto balance = trim(plant, 30.0);
+    std::vector<double> rate(balance.state.size());
+    Moment moment;
+    Surroundings around;
+    around.ruts.resize(plant.rows.size());
+    derivatives(plant, around, 0.0, balance.state.data(), rate.data(), &moment);
+    deceleration = -balance.acceleration;
+    return moment.rows[0].force_z;
+  };
+  double free_deceleration = 0.0, braked_deceleration = 0.0;
+  const double free = load(0.0, free_deceleration), braked = load(0.25, braked_deceleration);
+  const double base = plane.gears[1].behind_nose_gear;
+  const double expected = plane.mass * (braked_deceleration - free_deceleration) * plane.cg_height / base;
+  EXPECT_NEAR(braked - free, expected, 0.05 * expected);  // cg height and wheelbase move a little with pitch
+  EXPECT_GT(braked_deceleration, 0.2 * units::g0);
+}
+
+TEST(Trim, SaysWhatToCheckWhenThereIsNoBalance) {
+  auto model = testing::foam_model("B737-800", testing::pavement());
+  Overrun overrun;
+  overrun.entry_speed = 30.0;
+  overrun.thrust = 3e6;
+  model.aircraft.thrust_height = 30.0;  // lifts the main gear off the ground
+  const auto plant = make_plant(model, overrun);
+  try {
+    trim(plant, 30.0);
+    ADD_FAILURE() << "trimmed";
+  } catch (const SolveError& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot be trimmed at 30 m/s"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace apc::simulation

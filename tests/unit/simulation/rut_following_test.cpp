@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include "apc/simulation/rut_log.h"
+#include "apc/simulation/tire_bed.h"
+#include "tests/support/simulation_models.h"
+
+namespace apc::simulation {
+namespace {
+
+TEST(RutLog, ReadsBackASmoothTrack) {
+  RutLog log;
+  for (int i = 0; i <= 400; ++i) {
+    const double x = 0.05 * i;
+    log.write(x, {0.3 + 0.05 * std::sin(x), 0.4, 1e4, 2e4, 0.0});
+  }
+  for (const double x : {3.013, 7.77, 12.3456}) {
+    EXPECT_NEAR(log.at(x).depth, 0.3 + 0.05 * std::sin(x), 5e-6);
+    EXPECT_NEAR(log.at(x).depth_slope, 0.05 * std::cos(x), 5e-4);
+    EXPECT_NEAR(log.at(x).vertical, 2e4, 1e-9);
+  }
+}
+
+TEST(RutLog, HoldsNothingBeforeItsFirstEntry) {
+  RutLog log;
+  EXPECT_EQ(log.at(1.0).depth, 0.0);
+  log.write(2.0, {0.2, 0.3, 1.0, 1.0, 0.0});
+  log.write(3.0, {0.2, 0.3, 1.0, 1.0, 0.0});
+  EXPECT_EQ(log.at(1.9).depth, 0.0);
+  EXPECT_EQ(log.at(9.0).depth, 0.2);
+}
+
+TEST(RutLog, IgnoresASecondEntryAtTheSamePlace) {
+  RutLog log;
+  log.write(1.0, {0.1, 0.1, 1.0, 1.0, 0.0});
+  log.write(1.0, {0.9, 0.9, 9.0, 9.0, 0.0});
+  log.write(2.0, {0.1, 0.1, 1.0, 1.0, 0.0});
+  EXPECT_NEAR(log.at(1.5).depth, 0.1, 1e-12);
+}
+
+class RutFollowingLaw : public ::testing::Test {
+ protected:
+  RutFollowingLaw() : model_(testing::foam_model("B747-400", testing::foam_bed(0.5))) {
+    ground_.table = &model_.tables[1];
+    ground_.following = {2.0, 0.02};
+  }
+  GroundLoad lead(double penetration) const { return ground_load(ground_, place(penetration), nullptr); }
+  GroundLoad trail(double penetration, const GroundLoad& ahead) const {
+    const Rut rut{ahead.load.rut_depth, ahead.virgin_penetration, ahead.virgin_drag, ahead.virgin_vertical, 0.0};
+    return ground_load(ground_, place(penetration), &rut);
+  }
+  static effects::TirePlace place(double penetration) { return {{20.0, 0.5, penetration}, 30.0, 30.0, 1.0}; }
+  Model model_;
+  TireBed ground_;
+};
+
+TEST_F(RutFollowingLaw, NothingCarriesATireAboveTheFloor) {
+  const auto ahead = lead(0.30);
+  EXPECT_EQ(trail(0.9 * ahead.load.rut_depth, ahead).load.vertical, 0.0);
+}
+
+TEST_F(RutFollowingLaw, AnEqualLoadRollsOnTheFloorWithoutDeepeningIt) {
+  const auto ahead = lead(0.30);
+  // The penetration at which the second tire carries the same load.
+  double low = ahead.load.rut_depth, high = 0.5;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (trail(middle, ahead).load.vertical < ahead.load.vertical ? low : high) = middle;
+  }
+  const auto second = trail(low, ahead);
+  EXPECT_NEAR(second.load.vertical, ahead.load.vertical, 1e-6 * ahead.load.vertical);
+  EXPECT_DOUBLE_EQ(second.load.rut_depth, ahead.load.rut_depth);
+  EXPECT_NEAR(second.load.drag, 0.02 * second.load.vertical, 1e-9);
+}
+
+TEST_F(RutFollowingLaw, TwoPassesTakeTheEnergyOfOneDeeperPass) {
+  const auto ahead = lead(0.25);
+  const auto second = trail(0.42, ahead);
+  ASSERT_GT(second.load.rut_depth, ahead.load.rut_depth + 0.02) << "the second pass must deepen the rut";
+  const auto once = lead(second.virgin_penetration);
+  EXPECT_NEAR(once.load.rut_depth, second.load.rut_depth, 1e-9);
+  const double crushing = ahead.load.drag + second.load.drag - 0.02 * second.load.vertical;
+  EXPECT_NEAR(crushing, once.load.drag, 1e-6 * once.load.drag);
+}
+
+TEST_F(RutFollowingLaw, LoadGrowsSteadilyThroughYield) {
+  const auto ahead = lead(0.25);
+  double before = 0.0, largest = 0.0;
+  for (double p = ahead.load.rut_depth; p < 0.5; p += 0.001) {
+    const double now = trail(p, ahead).load.vertical;
+    EXPECT_GE(now, before - 1.0) << p;
+    largest = std::max(largest, now - before);
+    before = now;
+  }
+  EXPECT_LT(largest, 0.1 * before);  // no jump
+}
+
+}  // namespace
+}  // namespace apc::simulation
