@@ -1,0 +1,26 @@
+/// What every page of a study, a design or a compliance report has around it: head, style, the switch of units, foot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apc/report/record.h"
+
+namespace apc::report {
+
+/// `header` stands above the switch (title, outcome), `body` below it; both HTML.
+std::string framed(const std::string& title, const std::string& header, const std::string& body,
+                   const std::string& foot);
+
+/// A summary card: `mood` is "good", "warn", "bad" or "".
+std::string card(const std::string& mood, const std::string& label, const std::string& value, const std::string& more);
+
+/// A table of HTML cells in a box that scrolls sideways on a phone. Columns from the second on stand right when
+/// `numbers`.
+enum class Cells { text, numbers };
+std::string table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows, Cells);
+
+/// Version, command and input files with their hashes.
+std::string manifest_section(const Manifest&);
+
+}  // namespace apc::report
