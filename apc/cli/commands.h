@@ -38,6 +38,8 @@ double option_quantity(const std::string& option, const std::string& text, const
 void add_simulate(CLI::App&, Settings&);
 void add_loads(CLI::App&, Settings&);
 void add_sph(CLI::App&, Settings&);
+void add_study(CLI::App&, Settings&);
+void add_design(CLI::App&, Settings&);
 void add_check(CLI::App&, Settings&);
 void add_describe(CLI::App&, Settings&);
 void add_list(CLI::App&, Settings&);
