@@ -24,9 +24,10 @@ Columns window(const RollingRun& run, double axle_x) {
 
 /// Tread: leapfrog like the foam. Returns the damping work.
 double kick_tire(Tire& tire, double dt, std::vector<double>& mean_rate) {
+  mean_rate.assign(tire.u.size(), 0.0);
+  if (tire.rigid) return 0.0;
   static thread_local std::vector<double> elastic;
   elastic_force(tire, elastic);
-  mean_rate.assign(tire.u.size(), 0.0);
   double damped = 0.0;
   const double half = 0.5 * dt * tire.damping;
   for (int i = 0; i < tire.grid.around; ++i)
@@ -63,7 +64,7 @@ void sample(RollingRun& run, const AxleState& axle) {
 RollingRun start_run(const RollingCase& setup, unsigned threads) {
   RollingRun run;
   run.setup = setup;
-  run.tire = make_tire(setup.tire);
+  run.tire = setup.rigid_roller ? make_roller(setup.tire, setup.bed_half_width) : make_tire(setup.tire);
   const double radius = 0.5 * setup.tire.diameter;
   run.path.start_height = setup.bed_depth + radius;
   run.path.end_height = setup.bed_depth - setup.penetration + radius;

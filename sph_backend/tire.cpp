@@ -44,6 +44,21 @@ Tire make_tire(const TireShape& shape, const TireGrid& grid, const TireAssumptio
   return tire;
 }
 
+Tire make_roller(const TireShape& shape, double half_width) {
+  Tire tire;
+  tire.shape = shape, tire.rigid = true;
+  const double radius = 0.5 * shape.diameter;
+  tire.outline = {1e6 * radius, 0.5 * radius, 0.5 * radius};
+  tire.ring_radius.assign(tire.grid.across + 1, radius);
+  tire.area.assign(tire.grid.across + 1, 0.0), tire.mass.assign(tire.grid.across + 1, 1.0);
+  tire.hoop.assign(tire.grid.across + 1, 0.0), tire.meridian.assign(tire.grid.across, 0.0);
+  tire.foundation = LinearCurve({0.0, 1.0}, {0.0, 0.0});
+  const std::size_t nodes = static_cast<std::size_t>(tire.grid.around) * (tire.grid.across + 1);
+  tire.u.assign(nodes, 0.0), tire.rate.assign(nodes, 0.0), tire.force.assign(nodes, 0.0);
+  tire.wheel_inertia = TireAssumptions{}.inertia_factor * std::pow(shape.diameter, 4) * half_width;
+  return tire;
+}
+
 void elastic_force(const Tire& tire, std::vector<double>& force) {
   const int around = tire.grid.around, across = tire.grid.across;
   force.assign(tire.u.size(), 0.0);

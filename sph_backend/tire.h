@@ -35,6 +35,7 @@ struct Tire {
   std::vector<double> meridian;     ///< spring from line j to j + 1, N/m
   double damping = 0.0;             ///< c/m, 1/s
   double wheel_inertia = 0.0;       ///< of the half model, kg m²
+  bool rigid = false;               ///< a roller: nodes never move
 
   std::vector<double> u, rate, force;  ///< per node i (across + 1) + j: deflection, its rate, load Q of this step
   double angle = 0.0, spin = 0.0;      ///< of the wheel; spin ≥ 0 rolls forward
@@ -50,6 +51,9 @@ struct TireAssumptions {
 };
 
 Tire make_tire(const TireShape&, const TireGrid& = {}, const TireAssumptions& = {});
+
+/// A rigid cylinder without ends, of the shape's diameter, for plane-strain studies.
+Tire make_roller(const TireShape&, double half_width);
 
 /// Elastic force −∂E/∂u at every node.
 void elastic_force(const Tire&, std::vector<double>& force);

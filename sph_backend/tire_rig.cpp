@@ -6,7 +6,9 @@
 
 #include "apc/base/require.h"
 #include "apc/base/units.h"
+#include "sph_backend/checkpoint_hdf5.h"
 #include "sph_backend/rolling_run.h"
+#include "sph_backend/snapshot_vtu.h"
 
 namespace apc::sph {
 namespace {
@@ -53,7 +55,9 @@ bool failed(const RollingRun& run, RollingResult& result) {
     return true;
   }
   // A transient may pass the limit; nothing can be measured on a tire that has bottomed.
-  if (run.history.vertical.empty() || run.history.deflection.back() < run.setup.tire.bottoming_deflection) return false;
+  if (run.tire.rigid || run.history.vertical.empty() ||
+      run.history.deflection.back() < run.setup.tire.bottoming_deflection)
+    return false;
   result.state = RunState::tire_overloaded;
   result.message = concat("tire bottomed: deflection ", run.history.deflection.back() / units::in, " in, load ",
                           run.history.vertical.back() / units::lbf, " lbf at ", run.history.distance.back() / units::in,
@@ -61,15 +65,29 @@ bool failed(const RollingRun& run, RollingResult& result) {
   return true;
 }
 
-/// Whether the measured load is more than the tire model is good for.
-void judge_load(const RollingRun& run, RollingResult& result) {
+/// Last word on the state: load beyond the tire model, open energy account, or why it did not settle.
+void conclude(const RollingRun& run, RollingResult& result) {
+  using units::in;
+  using units::lbf;
+  if (result.state == RunState::unstable) return;
   const TireShape& tire = run.setup.tire;
-  const double limit = run.setup.tire_overload * tire.bottoming_load, deepest = catalogue_deflection(tire, limit);
-  if (result.state == RunState::unstable || (result.vertical <= limit && result.tire_deflection <= deepest)) return;
-  result.state = RunState::tire_overloaded;
-  result.message = concat("tire overloaded: ", result.vertical / units::lbf, " lbf, ",
-                          result.tire_deflection / units::in, " in; the limit is ", limit / units::lbf, " lbf, ",
-                          deepest / units::in, " in (", run.setup.tire_overload, " of bottoming)");
+  const double limit = run.setup.tire_overload * tire.bottoming_load;
+  const double deepest = run.tire.rigid ? 0.0 : catalogue_deflection(tire, limit);
+  if (std::abs(result.residual) > run.setup.residual_limit) {
+    result.state = RunState::unstable;
+    result.message = concat("energy account open by ", 100.0 * result.residual, " % (limit ",
+                            100.0 * run.setup.residual_limit, " %). Try a smaller cfl or a finer spacing.");
+  } else if (!run.tire.rigid && (result.vertical > limit || result.tire_deflection > deepest)) {
+    result.state = RunState::tire_overloaded;
+    result.message =
+        concat("tire overloaded: ", result.vertical / lbf, " lbf, ", result.tire_deflection / in, " in; the limit is ",
+               limit / lbf, " lbf, ", deepest / in, " in (", run.setup.tire_overload, " of bottoming)");
+  } else if (result.state == RunState::did_not_settle) {
+    result.message =
+        concat("did not settle within ", run.setup.longest / in, " in: between the last two windows drag changed by ",
+               100.0 * result.drag_change, " %, vertical by ", 100.0 * result.vertical_change, " %, spin ratio by ",
+               result.spin_change);
+  }
 }
 
 void finish(const RollingRun& run, RollingResult& result) {
@@ -146,45 +164,87 @@ RollingCase completed(const RollingCase& given) {
   return c;
 }
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// Files that a run leaves on its way.
+class Recorder {
+ public:
+  Recorder(const RollOptions& options, const RollingRun& run)
+      : options_(options),
+        series_(options.snapshots),
+        distance_(options.snapshot_distance > 0.0 ? options.snapshot_distance : 0.5 * run.radius()) {}
+
+  void snapshot(const RollingRun& run) {
+    if (options_.snapshots.empty()) return;
+    const AxleState axle = run.path.at(run.bed.time);  // while pressing, travel is the way down
+    const double travel = axle.x + run.path.start_height - axle.z;
+    if (travel < next_) return;
+    series_.write(run);
+    next_ = travel + distance_;
+  }
+
+  void checkpoint(const RollingRun& run, bool now) {
+    if (options_.checkpoint.empty() || (!now && seconds_since(saved_) < options_.checkpoint_every_s)) return;
+    save_checkpoint(run, options_.checkpoint);
+    saved_ = Clock::now();
+  }
+
+ private:
+  const RollOptions& options_;
+  SnapshotSeries series_;
+  double distance_, next_ = 0.0;
+  Clock::time_point saved_ = Clock::now();
+};
+
+/// Once per full bin of the history, from two windows behind the release on: steady?
+bool judge(const RollingRun& run, std::size_t& judged, RollingResult& result) {
+  const RollingHistory& h = run.history;
+  const RollingCase& setup = run.setup;
+  if (h.drag.size() == judged) return false;
+  judged = h.drag.size();
+  if (h.distance.back() < setup.accelerate_distance + 2.0 * setup.window + run.bin()) return false;
+  measure(run, result);
+  if (!settled(setup, result)) return false;
+  result.state = RunState::steady;
+  return true;
+}
+
+}  // namespace
+
 RollingResult roll(const RollingCase& given, const RollOptions& options) {
-  using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   RollingRun run = start_run(completed(given), options.threads);
+  if (!options.checkpoint.empty() && std::filesystem::exists(options.checkpoint))
+    load_checkpoint(run, options.checkpoint);
   const RollingCase& setup = run.setup;
   RollingResult result;
   result.state = RunState::did_not_settle;
   const double end = setup.accelerate_distance + setup.longest;
-  std::size_t judged = 0;
+  std::size_t judged = run.history.drag.size();
+  Recorder recorder(options, run);
   while (true) {
     step(run);
-    if (run.bed.steps % 50 == 0) {
-      if (failed(run, result)) break;
-      const AxleState axle = run.path.at(run.bed.time);
-      if (options.stop && options.stop()) throw Interrupted();
-      if (options.progress)
-        options.progress(0.3 * std::min(1.0, run.bed.time / run.path.press_time) + 0.7 * axle.x / end,
-                         run.bed.time < run.path.press_time ? "pressing" : "rolling");
-      if (axle.x > end) break;
-    }
-    // Judge whenever a bin is full, from two windows behind the release on.
-    const RollingHistory& h = run.history;
-    if (h.drag.size() == judged) continue;
-    judged = h.drag.size();
-    if (h.distance.back() < setup.accelerate_distance + 2.0 * setup.window + run.bin()) continue;
-    measure(run, result);
-    if (settled(setup, result)) {
-      result.state = RunState::steady;
-      break;
-    }
+    recorder.snapshot(run);
+    if (judge(run, judged, result)) break;
+    if (run.bed.steps % 50 != 0) continue;
+    if (failed(run, result)) break;
+    const AxleState axle = run.path.at(run.bed.time);
+    if (axle.x > end) break;
+    const bool stop = options.stop && options.stop();
+    recorder.checkpoint(run, stop);
+    if (stop) throw Interrupted();
+    if (options.progress)
+      options.progress(0.3 * std::min(1.0, run.bed.time / run.path.press_time) + 0.7 * axle.x / end,
+                       run.bed.time < run.path.press_time ? "pressing" : "rolling");
   }
+  if (!options.checkpoint.empty()) std::filesystem::remove(options.checkpoint);
   finish(run, result);
-  judge_load(run, result);
-  if (result.state == RunState::did_not_settle)
-    result.message =
-        concat("did not settle within ", setup.longest / units::in,
-               " in: between the last two windows drag changed by ", 100.0 * result.drag_change, " %, vertical by ",
-               100.0 * result.vertical_change, " %, spin ratio by ", result.spin_change);
-  result.wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  conclude(run, result);
+  result.wall_s = seconds_since(begin);
   result.particle_steps_per_s = result.particle_steps / result.wall_s;
   return result;
 }

@@ -37,6 +37,11 @@ struct RollingCase {
   double cfl = 0.35;
   double tire_overload = 0.8;  ///< share of the bottoming load (and the deflection there) above which a run is refused
 
+  double residual_limit = 0.03;  ///< energy account more open than this: the run is called unstable
+  /// Plane strain: a rigid cylinder of the tire's diameter across the whole block instead of the tire. Give
+  /// bed_half_width; loads are then those of twice that width.
+  bool rigid_roller = false;
+
   // Settling: the loads are averaged over windows of travel; a run is steady when the last two windows differ by less.
   double window = 0.0;            ///< m; 0 = R
   double longest = 0.0;           ///< m of travel after the release; 0 = 10 R
