@@ -19,6 +19,11 @@ double stop_energy(const Strut& strut, double stroke) {
 
 double static_stroke(const Strut& strut, double load) {
   const double limit = strut.extended_gas_volume / strut.piston_area;
+  const double pressure = load / strut.piston_area + atmospheric_pressure;
+  if (pressure > 0.0) {  // between the stops the polytrope can be inverted
+    const double gas = limit * (1.0 - std::pow(strut.extended_pressure / pressure, 1.0 / strut.polytropic_exponent));
+    if (gas >= 0.0 && gas <= strut.stroke) return gas;
+  }
   double low = -0.1 * strut.stroke, high = limit * (1.0 - 1e-9);
   while (gas_force(strut, low) + stop_force(strut, low) > load) low *= 2.0;
   for (int i = 0; i < 200 && high - low > 1e-15 * limit; ++i) {

@@ -132,10 +132,22 @@ template <int N>
 inline Dual<N> cos(const Dual<N>& x) {
   return chain(std::cos(x.value), -std::sin(x.value), x);
 }
+/// tanh to rounding, without the library call where it is ±1 or where its series needs four terms.
+inline double quick_tanh(double x) {
+  if (x > 20.0) return 1.0;
+  if (x < -20.0) return -1.0;
+  const double s = x * x;
+  if (s < 4e-4) return x * (1.0 - s * (1.0 / 3.0 - s * (2.0 / 15.0 - s * (17.0 / 315.0))));
+  return std::tanh(x);
+}
+template <int N>
+inline Dual<N> quick_tanh(const Dual<N>& x) {
+  const double y = quick_tanh(x.value);
+  return chain(y, 1.0 - y * y, x);
+}
 template <int N>
 inline Dual<N> tanh(const Dual<N>& x) {
-  const double y = std::tanh(x.value);
-  return chain(y, 1.0 - y * y, x);
+  return quick_tanh(x);
 }
 template <int N>
 inline Dual<N> sqrt(const Dual<N>& x) {

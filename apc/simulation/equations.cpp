@@ -64,6 +64,18 @@ std::array<double, 2> row_motion(const Plant& plant, int index, const double* y)
   return {x, u};
 }
 
+effects::TirePlace row_place(const Plant& plant, const Surroundings& around, int index, double time, const double* y) {
+  const auto& row = plant.rows[static_cast<std::size_t>(index)];
+  const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
+  const auto [x, u] = row_motion(plant, index, y);
+  const double stroke = y[3 + row.group], s = std::sin(y[2]), c = std::cos(y[2]);
+  double z = y[1] + (group.extended.x + stroke * group.axis.x) * s + (group.extended.z + stroke * group.axis.z) * c;
+  if (group.bogie >= 0) z += row.offset * std::sin(y[3 + plant.groups.size() + static_cast<std::size_t>(group.bogie)]);
+  const double depth = around.in_bed[static_cast<std::size_t>(index)] ? plant.profile.depth(x).value : 0.0;
+  const double penetration = group.tire_radius - z + (plant.base_falls ? 0.0 : depth);
+  return {{std::abs(u), depth, penetration}, x, nose_distance(plant, y), time};
+}
+
 double nose_distance(const Plant& plant, const double* y) { return row_motion(plant, 0, y)[0]; }
 
 }  // namespace apc::simulation

@@ -62,6 +62,9 @@ void jacobian(const Plant&, const Surroundings&, double time, const double* y, d
 void directional(const Plant&, const Surroundings&, double time, const double* y, const double* direction,
                  double* result);
 
+/// Where the tires of one row are, as the ground is asked about it.
+effects::TirePlace row_place(const Plant&, const Surroundings&, int row, double time, const double* y);
+
 /// Bed distance of the nose row's axle.
 double nose_distance(const Plant&, const double* y);
 /// Distance and forward speed of any row's axle.

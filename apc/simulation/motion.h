@@ -69,7 +69,7 @@ struct RowForce {
 template <class T>
 RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index, double time, double nose,
                       const Pair<T>& axle, const Pair<T>& velocity, const T& spin, RowMoment* seen) {
-  using std::sqrt, std::tanh;
+  using std::sqrt;
   const auto& row = plant.rows[static_cast<std::size_t>(index)];
   const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
   const bool inside = around.in_bed[static_cast<std::size_t>(index)];
@@ -91,19 +91,19 @@ RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index,
   const auto ground =
       ground_numbers(group.ground, place, follows ? &ahead : nullptr, speed, depth, penetration, axle.x, load);
 
-  const T along = tanh(velocity.x * (1.0 / creep_speed));
+  const T along = quick_tanh(velocity.x * (1.0 / creep_speed));
   const double friction = inside ? group.braking_in_bed : group.braking;
   const T roll_radius = radius / ground.spin_ratio;
   const T slip = (velocity.x - spin * roll_radius) / sqrt(velocity.x * velocity.x + slip_floor * slip_floor);
   T slip_force = T(0.0);
   if (plant.wheel_spin == WheelSpin::inertial || plant.brake_mode == BrakeMode::torque)
-    slip_force = slip_friction * ground.vertical * tanh(slip * (slip_stiffness / slip_friction));
+    slip_force = slip_friction * ground.vertical * quick_tanh(slip * (slip_stiffness / slip_friction));
   T brake_force = T(0.0), brake_torque = T(0.0), wheel_torque = T(0.0);
   if (friction > 0.0 && plant.brake_mode == BrakeMode::friction) {
     brake_force = friction * ground.vertical * along;
     brake_torque = brake_force * (radius - (penetration - ground.rut_depth));  // arm down to the contact
   } else if (friction > 0.0) {
-    wheel_torque = friction * ground.vertical * roll_radius * tanh(spin * 2.0);
+    wheel_torque = friction * ground.vertical * roll_radius * quick_tanh(spin * 2.0);
     brake_torque = wheel_torque;
   }
   const T drag = ground.drag * along;
@@ -152,6 +152,31 @@ RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index,
   return result;
 }
 
+/// A row depends on four numbers only: where its axle is (x, z), its forward speed and its spin. Its derivatives are
+/// taken by those and spread over the N variables afterwards.
+inline RowForce<double> row_of(const Plant& plant, const Surroundings& around, int index, double time, double nose,
+                               const Pair<double>& axle, const Pair<double>& velocity, const double& spin,
+                               RowMoment* seen) {
+  return row_force<double>(plant, around, index, time, nose, axle, velocity, spin, seen);
+}
+
+template <int N>
+RowForce<Dual<N>> row_of(const Plant& plant, const Surroundings& around, int index, double time, double nose,
+                         const Pair<Dual<N>>& axle, const Pair<Dual<N>>& velocity, const Dual<N>& spin, RowMoment*) {
+  using Local = Dual<4>;
+  const auto local = row_force<Local>(
+      plant, around, index, time, nose, {Local::variable(axle.x.value, 0), Local::variable(axle.z.value, 1)},
+      {Local::variable(velocity.x.value, 2), Local(velocity.z.value)}, Local::variable(spin.value, 3), nullptr);
+  const auto spread = [&](const Local& f) {
+    Dual<N> y;
+    y.value = f.value;
+    for (int i = 0; i < N; ++i)
+      y.d[i] = f.d[0] * axle.x.d[i] + f.d[1] * axle.z.d[i] + f.d[2] * velocity.x.d[i] + f.d[3] * spin.d[i];
+    return y;
+  };
+  return {{spread(local.force.x), spread(local.force.z)}, spread(local.brake_torque), spread(local.spin_rate)};
+}
+
 template <class T>
 void motion(const Plant& plant, const Surroundings& around, double time, const T* y, T* dydt, Moment* seen) {
   using std::cos, std::sin;
@@ -189,6 +214,13 @@ void motion(const Plant& plant, const Surroundings& around, double time, const T
     moment += T(-thrust * plant.thrust_at.z);
   }
 
+  if (plant.alterations && plant.alterations->guide && time > 0.0) {
+    const auto& guide = *plant.alterations->guide;
+    const T lead = (guide.gain * plant.mass) * (guide.speed_at(time) - (velocity.x - q * cg.z));
+    fx += lead;
+    moment += lead * origin.z;  // at ground level
+  }
+
   T push[most_groups];
   Pair<T> axis[most_groups], arm[most_groups];
   double nose = 0.0;
@@ -204,8 +236,8 @@ void motion(const Plant& plant, const Surroundings& around, double time, const T
     Pair<T> force{T(0.0), T(0.0)};
     T torque = T(0.0);
     if (group.bogie < 0) {
-      const auto row = row_force(plant, around, group.first_row, time, nose, axle, axle_velocity, spin[group.first_row],
-                                 seen ? &seen->rows[static_cast<std::size_t>(group.first_row)] : nullptr);
+      const auto row = row_of(plant, around, group.first_row, time, nose, axle, axle_velocity, spin[group.first_row],
+                              seen ? &seen->rows[static_cast<std::size_t>(group.first_row)] : nullptr);
       force = row.force;
       torque = -row.brake_torque;
       spin_rate[group.first_row] = row.spin_rate;
@@ -218,8 +250,8 @@ void motion(const Plant& plant, const Surroundings& around, double time, const T
         const double offset = plant.rows[static_cast<std::size_t>(r)].offset;
         const Pair<T> out{offset * beam_cosine, offset * beam_sine};
         const auto row =
-            row_force(plant, around, r, time, nose, axle + out, axle_velocity + rate[beam] * perpendicular(out),
-                      spin[r], seen ? &seen->rows[static_cast<std::size_t>(r)] : nullptr);
+            row_of(plant, around, r, time, nose, axle + out, axle_velocity + rate[beam] * perpendicular(out), spin[r],
+                   seen ? &seen->rows[static_cast<std::size_t>(r)] : nullptr);
         force = force + row.force;
         torque -= row.brake_torque;
         beam_moment += out.x * row.force.z - out.z * row.force.x;

@@ -9,23 +9,26 @@
 
 namespace apc::simulation {
 
-void Peak::see(double sample, double at) {
+/// A maximum between three neighbours is the vertex of the parabola through them.
+void Peak::see(double time, double sample, double at) {
   if (sample > value) value = sample, distance = at;
-  const double a = last_[1], b = last_[0];
-  if (count_ >= 2 && b >= a && b >= sample && b > 0.98 * value - 1e-12) {
-    const double curvature = a - 2.0 * b + sample;
+  if (count_ >= 2 && last_[0] >= last_[1] && last_[0] >= sample && last_[0] > 0.98 * value - 1e-12) {
+    const double before = last_[1] - last_[0], after = sample - last_[0];  // both ≤ 0
+    const double t0 = time_[1] - time_[0], t1 = time - time_[0];           // < 0, > 0
+    const double curvature = (after / t1 - before / t0) / (t1 - t0), slope = after / t1 - curvature * t1;
     if (curvature < 0.0) {
-      const double shift = 0.5 * (a - sample) / curvature;  // in intervals, within ±½
-      const double vertex = b - 0.25 * (a - sample) * shift;
-      if (vertex > value) {
+      const double shift = -0.5 * slope / curvature, vertex = last_[0] + 0.5 * slope * shift;
+      if (shift > t0 && shift < t1 && vertex > value) {
         value = vertex;
-        distance = where_[0] + shift * 0.5 * (at - where_[1]);
+        distance = where_[0] + (at - where_[0]) * shift / t1;
       }
     }
   }
   last_[1] = last_[0];
+  time_[1] = time_[0];
   where_[1] = where_[0];
   last_[0] = sample;
+  time_[0] = time;
   where_[0] = at;
   ++count_;
 }
@@ -80,24 +83,28 @@ void Observer::record(double time, const double* y, const Moment& moment, double
 
 void Observer::see(double time, const double* y, const Surroundings& around, const Moment& moment, double dissipated) {
   const double nose = moment.rows[0].distance, speed = moment.cg_velocity.x;
-  deceleration_.see(-moment.cg_acceleration.x, nose);
-  pitch_up_.see(y[2], nose);
-  pitch_down_.see(-y[2], nose);
-  speeds_.push_back(speed);
-  const auto window = static_cast<std::size_t>(std::lround(0.1 / interval_));
-  if (speeds_.size() > window + 1) speeds_.pop_front();
-  if (speeds_.size() == window + 1)
-    mean_100ms_.see((speeds_.front() - speeds_.back()) / (static_cast<double>(window) * interval_), nose);
+  deceleration_.see(time, -moment.cg_acceleration.x, nose);
+  pitch_up_.see(time, y[2], nose);
+  pitch_down_.see(time, -y[2], nose);
+  speeds_.push_back({time, speed});
+  constexpr double mean_over = 0.1;  // s
+  while (window_ + 1 < speeds_.size() && speeds_[window_ + 1][0] <= time - mean_over) ++window_;
+  if (speeds_[window_][0] <= time - mean_over) {
+    const auto &from = speeds_[window_], &to = speeds_[window_ + 1];
+    const double share = (time - mean_over - from[0]) / (to[0] - from[0]);
+    mean_100ms_.see(time, (from[1] + share * (to[1] - from[1]) - speed) / mean_over, nose);
+  }
 
   const double step = instants_ == 0 ? 0.0 : nose - last_distance_;
+  const double passed = instants_ == 0 ? 0.0 : time - last_time_;
   for (std::size_t g = 0; g < gears_.size(); ++g) {
     auto& watch = gears_[g];
     const auto& group = plant_.groups[g];
     const auto load = group_load(plant_, g, moment);
     const double each = 1.0 / group.struts, drag = load[0] * each;
-    watch.drag.see(drag, nose);
-    watch.vertical.see(load[1] * each, nose);
-    watch.stroke.see(moment.groups[g].stroke, nose);
+    watch.drag.see(time, drag, nose);
+    watch.vertical.see(time, load[1] * each, nose);
+    watch.stroke.see(time, moment.groups[g].stroke, nose);
     watch.drag_work += 0.5 * (drag + watch.last_drag) * step;
     watch.last_drag = drag;
     if (watch.ultimate_at < 0.0 && limits_[g].drag_ultimate > 0.0 && drag >= limits_[g].drag_ultimate)
@@ -108,19 +115,20 @@ void Observer::see(double time, const double* y, const Surroundings& around, con
       if (row.penetration > 0.0) deepest_rut = std::max(deepest_rut, row.ground.load.rut_depth);
       deepest = std::max(deepest, row.penetration);
     }
-    watch.rut.see(deepest_rut, nose);
-    watch.penetration.see(deepest, nose);
+    watch.rut.see(time, deepest_rut, nose);
+    watch.penetration.see(time, deepest, nose);
     const auto& lead = moment.rows[static_cast<std::size_t>(group.first_row)];
     if (around.in_bed[static_cast<std::size_t>(group.first_row)] && lead.bed_depth > 0.0) {
-      watch.in_bed += interval_;
+      watch.in_bed += passed;
       const auto inside = group.ground.table->coverage({std::abs(lead.speed), lead.bed_depth, lead.penetration});
-      if (!inside.speed) watch.outside_speed += interval_;
-      if (!inside.bed_depth) watch.outside_depth += interval_;
-      if (!inside.penetration) watch.outside_penetration += interval_;
-      if (!inside.inside()) watch.outside += interval_;
+      if (!inside.speed) watch.outside_speed += passed;
+      if (!inside.bed_depth) watch.outside_depth += passed;
+      if (!inside.penetration) watch.outside_penetration += passed;
+      if (!inside.inside()) watch.outside += passed;
     }
   }
   last_distance_ = nose;
+  last_time_ = time;
   if (rows_every_ > 0 && instants_ % rows_every_ == 0) record(time, y, moment, dissipated);
   ++instants_;
 }

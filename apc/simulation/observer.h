@@ -2,7 +2,7 @@
 /// table coverage. Peaks are the vertices of parabolas through three neighbouring instants.
 #pragma once
 
-#include <deque>
+#include <array>
 #include <vector>
 
 #include "aircraft/limits.h"
@@ -12,23 +12,24 @@
 
 namespace apc::simulation {
 
-/// Largest value of a signal sampled at equal intervals, and where.
+/// Largest value of a sampled signal, and where. Instants need not be equally spaced.
 struct Peak {
   double value = -1e300, distance = 0.0;
-  void see(double sample, double at);
+  void see(double time, double sample, double at);
 
  private:
-  double last_[2] = {-1e300, -1e300}, where_[2] = {0.0, 0.0};
+  double time_[2] = {0.0, 0.0}, last_[2] = {-1e300, -1e300}, where_[2] = {0.0, 0.0};
   int count_ = 0;
 };
 
 class Observer {
  public:
-  /// `interval` between instants, s; a history row at every `rows_every`-th one (0 = no history).
+  /// `interval` between instants, s (0 = wherever the solver's steps begin, halve and end); a history row at every
+  /// `rows_every`-th one (0 = no history).
   Observer(const Model&, const Plant&, double interval, int rows_every);
 
   double interval() const { return interval_; }
-  /// One instant of the grid at or after entry.
+  /// One instant at or after entry, in the order of time.
   void see(double time, const double* y, const Surroundings&, const Moment&, double dissipated);
   /// A history row before entry or at the end of the run (not counted in peaks or means).
   void record(double time, const double* y, const Moment&, double dissipated);
@@ -50,8 +51,9 @@ class Observer {
   std::vector<aircraft::LoadLimits> limits_;
   std::vector<GearWatch> gears_;
   Peak deceleration_, mean_100ms_, pitch_up_, pitch_down_;
-  std::deque<double> speeds_;  ///< of the last 0.1 s
-  double last_distance_ = 0.0;
+  std::vector<std::array<double, 2>> speeds_;  ///< {time, speed}, all instants
+  std::size_t window_ = 0;                     ///< the last of them at least 0.1 s ago
+  double last_distance_ = 0.0, last_time_ = 0.0;
   History history_;
 };
 

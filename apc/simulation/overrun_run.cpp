@@ -41,6 +41,8 @@ double crossing(const Solver& solver, double t0, double t1, double* y, const Cro
   return t1;
 }
 
+constexpr double rut_spacing = 0.2;  ///< m between entries of a rut log, at most
+
 enum class Event { none, row, stop, far_end };
 
 template <class Solver>
@@ -61,7 +63,8 @@ class Course {
     y_ = start;
     solver_.start(0.0, y_);
     look(0.0);
-    write_ruts();
+    write_ruts(0.0);
+    if (observer_.interval() == 0.0) observer_.see(0.0, y_.data(), around_, moment_, 0.0);
     power_ = powers(plant_, around_, y_.data(), moment_);
     for (;;) {
       const double before = solver_.time();
@@ -104,7 +107,7 @@ class Course {
 
   /// Grid instants, ruts and (for solvers without quadratures of their own) energy in (before, until].
   void observe(double before, double until) {
-    while (next_look_ <= until) {
+    while (observer_.interval() > 0.0 && next_look_ <= until) {
       solver_.state(next_look_, y_.data());
       look(next_look_);
       observer_.see(next_look_, y_.data(), around_, moment_, dissipated_at(next_look_));
@@ -114,29 +117,35 @@ class Course {
       solver_.state(before, y_.data());
       const double from = y_[0];
       solver_.state(until, y_.data());
-      const int pieces = std::max(1, static_cast<int>(std::ceil((y_[0] - from) / 0.1)));
+      const int pieces = std::max(1, static_cast<int>(std::ceil((y_[0] - from) / rut_spacing)));
       for (int i = 1; i <= pieces; ++i) {
         const double t = before + (until - before) * i / pieces;
         solver_.state(t, y_.data());
-        look(t);
-        write_ruts();
+        write_ruts(t);
       }
     }
     add_energy(before, until);
   }
 
-  void write_ruts() {
+  /// What the rows that are followed leave at the state in `y_`.
+  void write_ruts(double t) {
     for (const auto& row : plant_.rows) {
       if (row.ahead < 0) continue;
       any_follower_ = true;
       const auto r = static_cast<std::size_t>(row.ahead);
-      const auto& seen = moment_.rows[r];
-      if (!around_.in_bed[r] || seen.distance < -1.0) continue;
-      if (seen.penetration <= 0.0)
-        around_.ruts[r].write(seen.distance, {});
-      else
-        around_.ruts[r].write(seen.distance, {seen.ground.load.rut_depth, seen.ground.virgin_penetration,
-                                              seen.ground.virgin_drag, seen.ground.virgin_vertical, 0.0});
+      if (!around_.in_bed[r]) continue;
+      const auto place = row_place(plant_, around_, row.ahead, t, y_.data());
+      if (place.bed_distance < -1.0) continue;
+      Rut rut;
+      if (place.contact.penetration > 0.0) {
+        const auto& ground = plant_.groups[static_cast<std::size_t>(row.group)].ground;
+        const int further = plant_.rows[r].ahead;
+        Rut ahead;
+        if (further >= 0) ahead = around_.ruts[static_cast<std::size_t>(further)].at(place.bed_distance);
+        const auto load = ground_load(ground, place, further >= 0 ? &ahead : nullptr);
+        rut = {load.load.rut_depth, load.virgin_penetration, load.virgin_drag, load.virgin_vertical, 0.0};
+      }
+      around_.ruts[r].write(place.bed_distance, rut);
     }
   }
 
@@ -148,10 +157,12 @@ class Course {
       solver_.state(middle, y_.data());
       look(middle);
       const auto half = powers(plant_, around_, y_.data(), moment_);
+      if (observer_.interval() == 0.0) observer_.see(middle, y_.data(), around_, moment_, 0.0);
       solver_.state(until, y_.data());
       look(until);
       const auto full = powers(plant_, around_, y_.data(), moment_);
       for (std::size_t i = 0; i < sinks; ++i) dissipated_[i] += sixth * (power_[i] + 4.0 * half[i] + full[i]);
+      if (observer_.interval() == 0.0) observer_.see(until, y_.data(), around_, moment_, 0.0);
       power_ = full;
       settled_ = until;
     }
@@ -178,7 +189,7 @@ class Course {
       solver_.start(until, y_);
     }
     look(until);
-    write_ruts();
+    write_ruts(until);
     power_ = powers(plant_, around_, y_.data(), moment_);
   }
 
@@ -209,13 +220,13 @@ class Course {
   long looks_ = 0;
 };
 
-/// A trailing row must never outrun the ruts written so far, and no step may jump over a ramp.
-double longest_step(const Plant& plant) {
+/// Longest way of one step: a trailing row must never outrun the ruts written so far, and no step may jump a ramp.
+double longest_way(const Plant& plant) {
   double reach = 2.0;
   for (const auto& row : plant.rows)
     if (row.ahead >= 0)
       reach = std::min(reach, 0.7 * (plant.rows[static_cast<std::size_t>(row.ahead)].offset - row.offset));
-  return reach / plant.entry_speed;
+  return reach;
 }
 
 }  // namespace
@@ -237,7 +248,7 @@ Ending run_reference(const Plant& plant, const std::vector<double>& state, doubl
     const auto now = powers(plant, around, y, moment);
     std::copy(now.begin(), now.end(), power);
   };
-  OdeTolerances tolerances{rtol, {}, longest_step(plant)};
+  OdeTolerances tolerances{rtol, {}, longest_way(plant) / plant.entry_speed};
   const double scale = rtol / 1e-6;
   const int n = plant.degrees(), groups = static_cast<int>(plant.groups.size());
   for (int i = 0; i < plant.states(); ++i) {
@@ -252,7 +263,7 @@ Ending run_reference(const Plant& plant, const std::vector<double>& state, doubl
 Ending run_fast(const Plant& plant, const std::vector<double>& state, double rtol, double time_limit,
                 Observer& observer) {
   auto around = surroundings_at_entry(plant);
-  Rosenbrock solver(plant, around, rtol, longest_step(plant));
+  Rosenbrock solver(plant, around, rtol, longest_way(plant));
   return Course<Rosenbrock>(plant, around, solver, observer).run(state, time_limit);
 }
 

@@ -24,11 +24,11 @@ constexpr double h21 = 10.12623508344586, h22 = -7.487995877610167, h23 = -34.80
 
 }  // namespace
 
-Rosenbrock::Rosenbrock(const Plant& plant, const Surroundings& around, double rtol, double longest_step)
+Rosenbrock::Rosenbrock(const Plant& plant, const Surroundings& around, double rtol, double longest_way)
     : plant_(plant),
       around_(around),
       rtol_(rtol),
-      longest_(longest_step),
+      longest_way_(longest_way),
       states_(plant.states()),
       degrees_(plant.degrees()),
       spins_(static_cast<int>(plant.rows.size())),
@@ -40,7 +40,7 @@ Rosenbrock::Rosenbrock(const Plant& plant, const Surroundings& around, double rt
 void Rosenbrock::start(double t, const std::vector<double>& y) {
   std::copy(y.begin(), y.end(), y_.begin());
   time_ = previous_ = t;
-  h_ = std::min(longest_, 2e-3);
+  h_ = 2e-3;
   last_h_ = 0.0;
 }
 
@@ -204,6 +204,7 @@ double Rosenbrock::step() {
   }
   State next;
   bool rejected = false;
+  h_ = std::min(h_, longest_way_ / std::max(1.0, std::abs(y_[static_cast<std::size_t>(degrees_)])));
   for (;;) {
     double error = 0.0;
     const double h = h_;
@@ -227,7 +228,7 @@ double Rosenbrock::step() {
       y_ = next;
       previous_ = time_;
       time_ += h;
-      h_ = std::min(h / factor, longest_);
+      h_ = h / factor;
       ++statistics_.steps;
       return time_;
     }

@@ -15,8 +15,9 @@ namespace apc::simulation {
 
 class Rosenbrock {
  public:
-  /// Plant and surroundings must outlive this; the surroundings are read afresh at every call.
-  Rosenbrock(const Plant&, const Surroundings&, double rtol, double longest_step);
+  /// Plant and surroundings must outlive this; the surroundings are read afresh at every call. No step goes further
+  /// than `longest_way`, m.
+  Rosenbrock(const Plant&, const Surroundings&, double rtol, double longest_way);
 
   void start(double t, const std::vector<double>& y);
   /// One accepted step; returns the time reached. SolveError when the step size collapses.
@@ -36,7 +37,7 @@ class Rosenbrock {
 
   const Plant& plant_;
   const Surroundings& around_;
-  double rtol_, longest_, h_ = 1e-3, last_h_ = 0.0, last_error_ = 1.0;
+  double rtol_, longest_way_, h_ = 1e-3, last_h_ = 0.0, last_error_ = 1.0;
   double time_ = 0.0, previous_ = 0.0;
   int states_, degrees_, spins_;
   State y_{}, scale_{}, f0_{}, dfdt_{};

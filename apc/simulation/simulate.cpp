@@ -93,11 +93,11 @@ Result run(const Model& model, const Overrun& overrun, const Options& options) {
   const auto plant = make_plant(model, overrun);
   const auto start = trim(plant, overrun.entry_speed);
   const bool fast = options.method == Method::fast;
-  // Observation grid: at most 2 ms with a history; 10 ms where only extremes are wanted quickly.
+  // Observation grid: at most 2 ms; where only extremes are wanted quickly, the solver's steps and their middles.
   const bool history = options.sampling > 0.0;
-  const double finest = fast && !history ? 0.01 : 0.002;
+  constexpr double finest = 0.002;
   const int per_row = history ? std::max(1, static_cast<int>(std::ceil(options.sampling / finest - 1e-9))) : 0;
-  Observer observer(model, plant, history ? options.sampling / per_row : finest, per_row);
+  Observer observer(model, plant, history ? options.sampling / per_row : fast ? 0.0 : finest, per_row);
   if (history) record_roll_in(plant, start, options.sampling, observer);
   const auto end = fast ? run_fast(plant, start.state, fast_tolerance * options.rtol, options.time_limit, observer)
                         : run_reference(plant, start.state, options.rtol, options.time_limit, observer);
