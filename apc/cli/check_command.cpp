@@ -10,8 +10,10 @@
 #include "apc/base/require.h"
 #include "apc/cli/commands.h"
 #include "apc/cli/inputs.h"
+#include "apc/cli/sph_deck.h"
 #include "apc/cli/text_table.h"
 #include "loadtables/samples.h"
+#include "sph_backend/material_json.h"
 
 namespace apc::cli {
 namespace {
@@ -38,7 +40,17 @@ std::string check_json(const fs::path& path, report::UnitSystem units) {
   if (schema == "apc-aircraft/1") return schema + ": " + check_aircraft(path, units);
   if (schema == "apc-bed/1") return schema + ": " + check_bed(path, units);
   if (schema == "apc-tire/1") return concat(schema, ": ", aircraft::load_tires(path).size(), " tires");
-  const std::vector<std::string> known{"apc-aircraft/1", "apc-bed/1", "apc-tire/1"};
+  if (schema == "apc-material/1") {
+    const auto data = sph::load_foam(path);
+    return concat(schema, ": ", data.foam.name, ", ", shown(data.nominal_strength, measure::pressure, units), ", ",
+                  shown(data.nominal_density, measure::density, units));
+  }
+  if (schema == "apc-sph/1") {
+    const auto deck = read_deck(path);
+    return concat(schema, ": ", deck.rig.tire.name, " in ", deck.material, " at ",
+                  shown(deck.rig.speed, measure::speed, units));
+  }
+  const std::vector<std::string> known{"apc-aircraft/1", "apc-bed/1", "apc-tire/1", "apc-material/1", "apc-sph/1"};
   const auto near = nearest(schema, known.data(), known.size());
   throw InputError(concat(path.string(), " /schema: \"", schema, "\" is unknown to this program.",
                           near.empty() ? std::string() : concat(" Did you mean \"", near, "\"?"),

@@ -12,7 +12,7 @@
 namespace apc::cli {
 
 std::vector<FormatNote> all_formats() {
-  return {describe_aircraft(), describe_tire(), describe_bed(), describe_loads()};
+  return {describe_aircraft(), describe_tire(), describe_bed(), describe_loads(), describe_material(), describe_sph()};
 }
 
 namespace {

@@ -26,6 +26,8 @@ FormatNote describe_aircraft();
 FormatNote describe_tire();
 FormatNote describe_bed();
 FormatNote describe_loads();
+FormatNote describe_material();
+FormatNote describe_sph();
 
 std::vector<FormatNote> all_formats();
 

@@ -1,5 +1,7 @@
 #include "apc/cli/inputs.h"
 
+#include <chrono>
+#include <ctime>
 #include <set>
 
 #include "apc/base/file.h"
@@ -10,6 +12,15 @@
 
 namespace apc::cli {
 namespace fs = std::filesystem;
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
+  return text;
+}
 
 report::InputFile note(const std::string& role, const fs::path& path, const std::string& source) {
   return {role, path.string(), report::sha256(read_text(path)), source};

@@ -32,6 +32,9 @@ Inputs read_inputs(const Choice&, bed::Bed, const report::InputFile& from);
 aircraft::TireLibrary read_tires(const std::filesystem::path& tires, const std::filesystem::path& aircraft_file,
                                  std::vector<report::InputFile>& files);
 
+/// Now, "2024-05-31 14:05 UTC", for the date of a report; no simulation knows a clock.
+std::string utc_now();
+
 /// The note on one input file: its content's hash and what it says about its source.
 report::InputFile note(const std::string& role, const std::filesystem::path&, const std::string& source);
 

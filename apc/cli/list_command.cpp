@@ -8,6 +8,7 @@
 #include "apc/cli/inputs.h"
 #include "apc/cli/text_table.h"
 #include "loadtables/find_tables.h"
+#include "sph_backend/material_json.h"
 
 namespace apc::cli {
 namespace {
@@ -77,24 +78,36 @@ TextTable list_loads(UnitSystem units) {
   return table;
 }
 
+TextTable list_materials(UnitSystem units) {
+  TextTable table{{"name", "strength", "density", "full at", "tension cutoff"}, {}};
+  for (const auto& name : shipped_names("designs/materials")) {
+    const auto each = sph::load_foam(resolve(name, "designs/materials", "material"));
+    table.rows.push_back({name, shown(each.nominal_strength, measure::pressure, units),
+                          shown(each.nominal_density, measure::density, units), report::percent(each.bottoming_strain),
+                          shown(each.foam.tension_cutoff, measure::pressure, units)});
+  }
+  return table;
+}
+
 TextTable list_named(const std::string& what, UnitSystem units) {
   if (what == "aircraft") return list_aircraft(units);
   if (what == "tires") return list_tires(units);
   if (what == "beds") return list_beds(units);
+  if (what == "materials") return list_materials(units);
   if (what == "loads") return list_loads(units);
-  const std::vector<std::string> known{"aircraft", "tires", "beds", "loads"};
+  const std::vector<std::string> known{"aircraft", "tires", "beds", "materials", "loads"};
   const auto near = nearest(what, known.data(), known.size());
   throw InputError(concat("\"", what, "\" is no kind of shipped data.",
                           near.empty() ? std::string() : concat(" Did you mean \"", near, "\"?"),
-                          " Kinds: aircraft, tires, beds, loads"));
+                          " Kinds: aircraft, tires, beds, materials, loads"));
 }
 
 }  // namespace
 
 void add_list(CLI::App& program, Settings& settings) {
-  auto* command = program.add_subcommand("list", "shipped data: aircraft, tires, beds, loads");
+  auto* command = program.add_subcommand("list", "shipped data: aircraft, tires, beds, materials, loads");
   const auto what = std::make_shared<std::string>();
-  command->add_option("KIND", *what, "aircraft, tires, beds or loads")->required()->type_name("");
+  command->add_option("KIND", *what, "aircraft, tires, beds, materials or loads")->required()->type_name("");
   add_common_options(*command, settings);
   command->callback([what, &settings] {
     const auto table = list_named(*what, settings.units);

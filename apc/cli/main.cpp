@@ -72,6 +72,11 @@ int run(const std::vector<std::string>& words) {
       "Quantities carry units: --speed \"70 kt\". Names such as B737-800 are shipped data; paths work too.");
   Settings settings;
   settings.command_line = quoted(words);
+  add_simulate(program, settings);
+  add_study(program, settings);
+  add_design(program, settings);
+  add_loads(program, settings);
+  add_sph(program, settings);
   add_check(program, settings);
   add_describe(program, settings);
   add_list(program, settings);

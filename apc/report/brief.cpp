@@ -14,7 +14,7 @@ using simulation::GearSummary;
 
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
-  out += result.message + "\n\n";
+  if (result.outcome != simulation::Outcome::stopped) out += "  " + result.message + "\n";
   if (std::isfinite(result.stop_distance))
     out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
                        shown(result.stop_distance, measure::distance, units),
@@ -64,25 +64,20 @@ void add_gears(std::string& out, const OverrunRecord& record, UnitSystem units) 
 }
 
 void add_energy(std::string& out, const OverrunRecord& record, UnitSystem units) {
-  const auto& energy = record.result.energy;
-  const double entry = 0.5 * record.result.mass * std::pow(record.result.entry_speed, 2);
+  const double entry = entry_energy(record.result);
   out +=
       fmt::format("\n  energy         {} of motion at entry; where it went:\n", shown(entry, measure::energy, units));
-  std::vector<std::pair<std::string, double>> terms(energy.begin(), energy.end());
-  std::stable_sort(terms.begin(), terms.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a.second) > std::abs(b.second); });
-  for (const auto& [key, value] : terms)
-    if (key != "residual")
-      out += fmt::format("    {:<24}{:>20}{:>10}\n", energy_name(key), shown(value, measure::energy, units),
-                         percent(entry > 0 ? value / entry : 0.0, 2));
-  if (const auto residual = energy.find("residual"); residual != energy.end())
-    out += fmt::format("    {:<24}{:>20.1e}{:>10}\n", "residual, relative", residual->second, "");
+  for (const auto& [key, value] : energy_sinks(record.result))
+    out += fmt::format("    {:<24}{:>20}{:>10}\n", energy_name(key), shown(value, measure::energy, units),
+                       percent(entry > 0 ? value / entry : 0.0, 2));
+  if (const auto residual = record.result.energy.find("residual"); residual != record.result.energy.end())
+    out += fmt::format("    {:<24}{:>20.1e}\n", "residual, relative", residual->second);
 }
 
 }  // namespace
 
 std::string energy_name(const std::string& key) {
-  static const std::map<std::string, std::string> names{{"kinetic", "kinetic, left over"},
+  static const std::map<std::string, std::string> names{{"kinetic_left", "motion left"},
                                                         {"potential", "potential"},
                                                         {"bed", "bed"},
                                                         {"tires", "tires"},
@@ -91,16 +86,30 @@ std::string energy_name(const std::string& key) {
                                                         {"strut_friction", "strut friction"},
                                                         {"stops", "strut stops"},
                                                         {"brakes", "brakes"},
-                                                        {"rolling", "rolling on the pavement"},
+                                                        {"wheel_slip", "wheel slip"},
+                                                        {"bogie_damping", "bogie damping"},
                                                         {"aero", "air"},
-                                                        {"thrust", "thrust"},
-                                                        {"grade", "grade"},
-                                                        {"residual", "residual, relative"}};
+                                                        {"thrust", "thrust"}};
+
   const auto found = names.find(key);
   if (found != names.end()) return found->second;
   std::string words = key;
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;
+}
+
+double entry_energy(const simulation::Result& result) {
+  const auto given = result.energy.find("kinetic");
+  return given != result.energy.end() ? given->second : 0.5 * result.mass * std::pow(result.entry_speed, 2);
+}
+
+std::vector<std::pair<std::string, double>> energy_sinks(const simulation::Result& result) {
+  std::vector<std::pair<std::string, double>> sinks;
+  for (const auto& [key, value] : result.energy)
+    if (key != "residual" && key != "kinetic" && value != 0.0) sinks.emplace_back(key, value);
+  std::stable_sort(sinks.begin(), sinks.end(),
+                   [](const auto& a, const auto& b) { return std::abs(a.second) > std::abs(b.second); });
+  return sinks;
 }
 
 std::string coverage_text(const simulation::CoverageSummary& coverage) {

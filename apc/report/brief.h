@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "apc/report/record.h"
 #include "apc/report/unit_system.h"
@@ -16,6 +18,12 @@ std::string headline(const OverrunRecord&, UnitSystem);
 
 /// What a key of Result::energy means to a reader: "oleo_damping" → "strut damping".
 std::string energy_name(const std::string& key);
+
+/// The entry's energy of motion, J; the denominator of every share.
+double entry_energy(const simulation::Result&);
+
+/// Where the entry's energy went, largest first; terms that took nothing are left out.
+std::vector<std::pair<std::string, double>> energy_sinks(const simulation::Result&);
 
 /// Coverage in words: "97 % of the time inside; speed below the range 3 %".
 std::string coverage_text(const simulation::CoverageSummary&);

@@ -6,7 +6,8 @@
 #include <functional>
 
 #include "apc/report/bed_section.h"
-#include "apc/report/page_style.h"
+#include "apc/report/brief.h"
+#include "apc/report/page_parts.h"
 #include "apc/report/page_tables.h"
 #include "apc/report/plot.h"
 #include "apc/report/svg.h"
@@ -78,67 +79,41 @@ std::vector<Plot> plots_of(const OverrunRecord& record, const std::vector<std::s
   Plot energy{"Energy", measure::energy, {{"motion", "total", {}}}, {}};
   for (const auto row : rows) energy.curves[0].values.push_back(0.5 * result.mass * std::pow(history.speed[row], 2));
   if (!history.dissipated.empty()) energy.curves.push_back({"dissipated", "main", picked(history.dissipated, rows)});
-  energy.note = both(0.5 * result.mass * std::pow(result.entry_speed, 2), measure::energy) + " at the bed's edge";
+  energy.note = both(entry_energy(result), measure::energy) + " at the bed's edge";
   plots.push_back(energy);
   for (auto& plot : plots) std::erase_if(plot.curves, [](const Curve& curve) { return curve.values.empty(); });
   std::erase_if(plots, [](const Plot& plot) { return plot.curves.empty(); });
   return plots;
 }
 
-/// The numbers behind the plots, for the cross-hair: names and values only, so that no text can end the script early.
-std::string series(const std::vector<Plot>& plots, const Abscissa& axes) {
-  const auto list = [](const std::vector<double>& values) {
-    std::string out = "[";
-    for (std::size_t i = 0; i < values.size(); ++i)
-      out += (i ? "," : "") + (std::isfinite(values[i]) ? fmt::format("{:.5g}", values[i]) : std::string("null"));
-    return out + "]";
-  };
-  std::string out = "{\"distance\":" + list(axes.distance) + ",\"time\":" + list(axes.time) + ",\"plots\":[";
-  for (std::size_t i = 0; i < plots.size(); ++i) {
-    out += i ? ",[" : "[";
-    for (std::size_t j = 0; j < plots[i].curves.size(); ++j) {
-      std::string name;
-      for (const char letter : plots[i].curves[j].name)
-        if (letter != '"' && letter != '\\' && letter != '<' && static_cast<unsigned char>(letter) >= 32)
-          name += letter;
-      out += fmt::format("{}{{\"name\":\"{}\",\"look\":\"{}\",\"values\":{}}}", j ? "," : "", name,
-                         plots[i].curves[j].look, list(plots[i].curves[j].values));
-    }
-    out += "]";
-  }
-  return out + "]}";
-}
-
-std::string switches_bar() {
-  return "<div class=\"bar-of-switches\"><span class=\"group\">Units <label for=\"units-field\">field</label>"
-         "<label for=\"units-si\">SI</label></span><span class=\"group\">Plots over <label "
-         "for=\"over-distance\">distance"
-         "</label><label for=\"over-time\">time</label></span></div>\n";
-}
-
-std::string head(const OverrunRecord& record) {
-  const auto title = escaped(record.model.aircraft.name + " in " + record.model.bed.name);
-  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-         "content=\"width=device-width,initial-scale=1\"><link rel=\"icon\" href=\"data:,\"><title>" +
-         title + "</title><style>" + page_style + "</style></head>\n<body>\n" + page_switches;
+/// The rows to draw: thinned, and without most of the roll before the bed.
+std::vector<std::size_t> shown_rows(const History& history) {
+  auto rows = thinned_rows(history, 500);
+  if (rows.empty()) return rows;
+  const double from = -0.08 * history.distance.back();
+  std::erase_if(rows, [&](std::size_t row) { return history.distance[row] < from; });
+  return rows;
 }
 
 }  // namespace
 
 std::string page(const OverrunRecord& record) {
   const auto& result = record.result;
-  std::string out = head(record);
+  std::string out = page_head(record.model.aircraft.name + " in " + record.model.bed.name);
   out += fmt::format("<header><h1>{}, {} at the bed's edge</h1><p class=\"sub\">{} · {}</p>\n",
                      escaped(record.model.aircraft.name), both(result.entry_speed, measure::speed),
-                     escaped(record.model.bed.name), escaped(result.message));
+                     escaped(record.model.bed.name),
+                     result.outcome == simulation::Outcome::stopped
+                         ? both(result.mass, measure::mass) + " of " + escaped(record.model.aircraft.name)
+                         : escaped(result.message));
   out += switches_bar() + headline_cards(record);
   for (const auto& warning : result.warnings) out += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
   out += "</header>\n<main>\n<h2>Bed section</h2>\n<div class=\"wide\">" + bed_section(record) + "</div>\n";
   if (const auto wheels = wheels_at_rest(record); !wheels.empty())
     out += "<div class=\"plots\">\n" + wheels + "</div>\n";
 
-  std::string data = "{\"distance\":[0],\"time\":[0],\"plots\":[]}";
-  if (const auto rows = thinned_rows(result.history, 500); rows.size() > 1) {
+  std::string data = no_series();
+  if (const auto rows = shown_rows(result.history); rows.size() > 1) {
     const Abscissa axes{picked(result.history.distance, rows), picked(result.history.time, rows)};
     const auto plots = plots_of(record, rows);
     out += "<h2>Histories</h2>\n<div class=\"plots\">\n";
@@ -154,8 +129,7 @@ std::string page(const OverrunRecord& record) {
   out +=
       "</main>\n<footer>apc, the Arrestor Prediction Code. Loads per strut; margin = limit / peak − 1; distances "
       "from the bed's leading edge to the nose wheel; 0.1 s means smooth the peak deceleration.</footer>\n";
-  return out + "<script type=\"application/json\" id=\"series\">" + data + "</script>\n<script>" + page_script +
-         "</script>\n</body></html>\n";
+  return out + page_end(data);
 }
 
 }  // namespace apc::report

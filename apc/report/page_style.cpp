@@ -70,7 +70,7 @@ text{font:12.5px system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",Arial,s
 .cg{fill:var(--bg);stroke:var(--ink);stroke-width:1.4}.cg-mark{fill:var(--ink)}
 .stop{stroke-width:1.4;stroke-dasharray:4 3;fill:none}.stop.nose{stroke:var(--nose)}.stop.main{stroke:var(--main)}
 .stop.third{stroke:var(--third)}.stop.fourth{stroke:var(--fourth)}
-.bar{fill:none;stroke:var(--muted);stroke-width:1.2}
+.grain{fill:var(--ink)}.bar{fill:none;stroke:var(--muted);stroke-width:1.2}
 .cursor line{stroke:var(--muted);stroke-width:1}.cursor circle{stroke:var(--bg);stroke-width:1.5;fill:var(--ink)}
 table{border-collapse:collapse;font-size:.9rem;min-width:min(100%,420px)}
 th,td{padding:5px 14px 5px 0;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}

@@ -8,6 +8,7 @@
 
 #include "apc/base/units.h"
 #include "apc/report/brief.h"
+#include "apc/report/page_parts.h"
 #include "apc/report/svg.h"
 
 namespace apc::report {
@@ -15,19 +16,9 @@ namespace {
 
 using simulation::GearSummary;
 
-std::string card(const std::string& mood, const std::string& label, const std::string& value, const std::string& more) {
-  return fmt::format(
-      "<div class=\"card {}\"><span class=\"label\">{}</span><b>{}</b><span class=\"more\">{}</span></div>\n", mood,
-      label, value, more);
-}
-
 std::string signed_percent(double share) { return (share > 0 ? "+" : "") + percent(share, 1); }
 
 const char* mood_of(double margin) { return margin < 0 ? "over" : margin < 0.1 ? "near" : ""; }
-
-std::string row(const std::string& name, const std::string& value) {
-  return "<tr><th>" + name + "</th><td>" + value + "</td></tr>\n";
-}
 
 }  // namespace
 
@@ -119,17 +110,9 @@ std::string gear_table(const OverrunRecord& record) {
 }
 
 std::string energy_table(const OverrunRecord& record) {
-  const auto& energy = record.result.energy;
-  const double entry = 0.5 * record.result.mass * std::pow(record.result.entry_speed, 2);
-  std::vector<std::pair<std::string, double>> terms;
-  double largest = 0.0;
-  for (const auto& [key, value] : energy)
-    if (key != "residual") {
-      terms.emplace_back(key, value);
-      largest = std::max(largest, std::abs(value));
-    }
-  std::stable_sort(terms.begin(), terms.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a.second) > std::abs(b.second); });
+  const double entry = entry_energy(record.result);
+  const auto terms = energy_sinks(record.result);
+  const double largest = terms.empty() ? 0.0 : std::abs(terms.front().second);
   std::string out = fmt::format(
       "<p class=\"sub\">Motion at the bed's edge: {}.</p><table class=\"energy\"><thead><tr><th>"
       "sink or store</th><th class=\"n\">{}</th><th class=\"n\">share</th><th></th></tr>"
@@ -141,7 +124,7 @@ std::string energy_table(const OverrunRecord& record) {
         "style=\"width:{:.1f}%\"></div></td></tr>\n",
         escaped(energy_name(key)), both_numbers(value, measure::energy), entry > 0 ? percent(value / entry, 2) : "-",
         value < 0 ? " minus" : "", largest > 0 ? 100 * std::abs(value) / largest : 0.0);
-  if (const auto residual = energy.find("residual"); residual != energy.end())
+  if (const auto residual = record.result.energy.find("residual"); residual != record.result.energy.end())
     out += fmt::format("<tr><td>residual, relative</td><td class=\"n\">{:.1e}</td><td></td><td></td></tr>\n",
                        residual->second);
   return out + "</tbody></table>\n";
@@ -228,8 +211,7 @@ std::string manifest_table(const OverrunRecord& record) {
                          escaped(solver.method), solver.rtol, number(static_cast<double>(solver.steps), 0),
                          number(static_cast<double>(solver.rhs_calls), 0), solver.jacobians, solver.error_test_failures,
                          solver.wall_s));
-  for (const auto& file : record.manifest.files)
-    out += row(escaped(file.role), "<code>" + escaped(file.path) + "<br>sha256 " + escaped(file.sha256) + "</code>");
+  for (const auto& file : record.manifest.files) out += file_row(file);
   for (const auto& [key, value] : record.result.provenance)
     out += row(escaped(key), "<code>" + escaped(value) + "</code>");
   return out + "</tbody></table>\n";

@@ -88,6 +88,7 @@ std::string levels(const Plot& plot, const Axis& up) {
 std::string extremes(const Plot& plot, const Abscissa& axes) {
   std::string out;
   for (const auto& curve : plot.curves) {
+    if (curve.look.starts_with("rut-")) continue;
     const auto peak = std::max_element(curve.values.begin(), curve.values.end(), [](double a, double b) {
       return std::abs(std::isfinite(a) ? a : 0.0) < std::abs(std::isfinite(b) ? b : 0.0);
     });
@@ -119,9 +120,9 @@ std::string figure(const Plot& plot, const Abscissa& axes, std::size_t number) {
   const Axis along{axes.distance.front(), axes.distance.back(), left, width - right};
   const Axis during{axes.time.front(), axes.time.back(), left, width - right};
   std::string out = fmt::format(
-      "<figure class=\"plot\"><figcaption><span class=\"title\"><span><b>{}</b>, {}</span>{}</span><span "
+      "<figure class=\"plot\"><figcaption><span class=\"title\"><span><b>{}</b>{}{}</span>{}</span><span "
       "class=\"reading\">{}</span></figcaption>\n",
-      escaped(plot.title), both_units(plot.measure), legend(plot),
+      escaped(plot.title), *plot.measure.si.unit ? ", " : "", both_units(plot.measure), legend(plot),
       plot.note.empty() ? extremes(plot, axes) : plot.note);
   out += fmt::format(
       "<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\" data-plot=\"{}\" "
@@ -131,10 +132,9 @@ std::string figure(const Plot& plot, const Abscissa& axes, std::size_t number) {
       plot.measure.field.factor, plot.measure.si.factor, plot.measure.field.digits, plot.measure.si.digits,
       plot.measure.field.unit, plot.measure.si.unit);
   out += horizontal_grid(up, plot.measure.field, "field") + horizontal_grid(up, plot.measure.si, "si");
-  const std::string nose = "nose wheel from the bed's edge";
-  out += "<g class=\"by-distance\">" + foot(along, measure::distance.field, nose, "field") +
-         foot(along, measure::distance.si, nose, "si") + curves(plot, axes.distance, along, up) + "</g>";
-  out += "<g class=\"by-time\">" + foot(during, measure::time.si, "time from the bed's edge", "either") +
+  out += "<g class=\"by-distance\">" + foot(along, measure::distance.field, axes.place, "field") +
+         foot(along, measure::distance.si, axes.place, "si") + curves(plot, axes.distance, along, up) + "</g>";
+  out += "<g class=\"by-time\">" + foot(during, measure::time.si, axes.moment, "either") +
          curves(plot, axes.time, during, up) + "</g>";
   return out + levels(plot, up) + "<g class=\"cursor\"></g></svg></figure>\n";
 }

@@ -32,7 +32,8 @@ struct Plot {
 
 /// The two horizontal axes all plots of a page share.
 struct Abscissa {
-  std::vector<double> distance, time;  ///< m (nose wheel from the leading edge), s
+  std::vector<double> distance, time;                                                         ///< m, s
+  std::string place = "nose wheel from the bed's edge", moment = "time from the bed's edge";  ///< titles
 };
 
 /// A <figure> with title, legend, a line that states the extremes, and the drawing. `number` tells plots apart.

@@ -64,7 +64,10 @@ std::string path(const std::vector<double>& x, const std::vector<double>& y, con
       drawing = false;
       continue;
     }
-    out += (drawing ? "L" : "M") + pixel(across(x[i])) + "," + pixel(up(y[i]));
+    out += drawing ? 'L' : 'M';
+    out += pixel(across(x[i]));
+    out += ',';
+    out += pixel(up(y[i]));
     drawing = true;
   }
   return out;

@@ -33,6 +33,7 @@ extern const Measure time;          ///< s in both
 extern const Measure energy;        ///< 10⁶ ft·lbf | MJ
 extern const Measure pressure;      ///< psi | kPa
 extern const Measure density;       ///< pcf | kg/m³
+extern const Measure ratio;         ///< no unit
 extern const Measure volume;        ///< cu yd | m³
 }  // namespace measure
 

@@ -1,0 +1,53 @@
+/// ^C: the program ends with 130, says so, and leaves no half file.
+#include <gtest/gtest.h>
+
+#include "tests/scenarios/program.h"
+
+namespace apc::scenarios {
+namespace {
+
+const std::string& slow_deck() {
+  static const std::string text = R"({
+  "schema": "apc-sph/1", "name": "a long run", "source": "made for a test",
+  "tire": "H29x9.0-15", "material": "foam_50psi", "speed": "40 kt",
+  "bed_depth": "18 in", "penetration": "10 in", "spacing": "0.6 in"
+})";
+  return text;
+}
+
+void expect_no_half_file(const Folder& folder) {
+  for (const auto& name : folder.files()) EXPECT_FALSE(name.ends_with(".part")) << name;
+}
+
+TEST(Interrupt, EndsALongParticleRunWithoutFiles) {
+  const Folder folder;
+  folder.write("deck.json", slow_deck());
+  Running program(folder, {"sph", "run", "deck.json", "--threads", "1"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  ASSERT_FALSE(program.ended()) << "the run is too short for this test";
+  program.interrupt();
+  const auto said = program.wait();
+  EXPECT_EQ(said.exit_code, 130) << said.err;
+  EXPECT_NE(said.err.find("interrupted"), std::string::npos) << said.err;
+  EXPECT_EQ(folder.files(), std::set<std::string>{"deck.json"});
+}
+
+TEST(Interrupt, LeavesAnOverrunWholeOrNotThereAtAnyMoment) {
+  // The run takes a fraction of a second; ^C falls into reading, integrating or writing.
+  for (const int milliseconds : {5, 20, 60, 120, 200, 400}) {
+    const Folder folder;
+    folder.write("bed.json", good_bed());
+    Running program(folder, {"simulate", "--aircraft", "B737-800", "--bed", "bed.json", "--speed", "70 kt", "-o", "o"});
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    program.interrupt();
+    const auto said = program.wait();
+    EXPECT_TRUE(said.exit_code == 0 || said.exit_code == 130) << said.exit_code << said.err;
+    expect_no_half_file(folder);
+    const auto page = folder.path() / "o/report.html";
+    if (said.exit_code == 0) EXPECT_TRUE(std::filesystem::exists(page));
+    if (std::filesystem::exists(page)) EXPECT_TRUE(text_of(page).ends_with("</body></html>\n"));
+  }
+}
+
+}  // namespace
+}  // namespace apc::scenarios
