@@ -6,6 +6,10 @@
 #include <string>
 #include <vector>
 
+namespace apc {
+class Json;
+}
+
 namespace apc::bed {
 
 /// Where the flat side of the bed lies.
@@ -45,5 +49,7 @@ struct Bed {
 
 /// Reads schema "apc-bed/1". Throws InputError: file, path, value, remedy.
 Bed load_bed(const std::filesystem::path&);
+/// The same from an object of another file.
+Bed read_bed(const Json&);
 
 }  // namespace apc::bed

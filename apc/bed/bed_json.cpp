@@ -80,8 +80,9 @@ bool is_date(const std::string& text) {
 
 }  // namespace
 
-Bed load_bed(const std::filesystem::path& path) {
-  const auto json = read_json(path);
+Bed load_bed(const std::filesystem::path& path) { return read_bed(read_json(path)); }
+
+Bed read_bed(const Json& json) {
   json.schema("apc-bed/1");
   Bed bed;
   bed.name = json.text("name");

@@ -91,10 +91,15 @@ Built build(const Problem& asked, const Profile& profile, double length, double 
     const bool better = keeps ? !kept || need < best_need - 1e-6 : !kept && trial.worst_use < best.worst_use;
     if (better) best = trial, best_need = need;
   }
+  const simulation::Options reference{simulation::Method::reference, 1e-7, 0.005, 120.0};
   best.blocks = blocks_of(space, profile, length > 0 ? length : best_need, best.share);
   if (length > 0) best.blocks.depth.resize(static_cast<std::size_t>(std::floor(length / space.block_length + 1e-9)));
-  best.bed = bed_of(space, best.blocks);
-  judge(problem, End::as_built, {simulation::Method::reference, 1e-7, 0.005, 120.0}, best);
+  for (int row = 0; row < 4; ++row) {  // a stop right at the end may need one more row once the bed ends there
+    best.bed = bed_of(space, best.blocks);
+    judge(problem, End::as_built, reference, best);
+    if (length > 0 || longest_stop(best.figures) <= best.bed.length()) break;
+    best.blocks.depth.push_back(best.blocks.depth.back());
+  }
   return best;
 }
 

@@ -68,7 +68,8 @@ namespace {
 template <class Add>
 void walk_limits(const simulation::Result& result, const Limits& limits, double table_use, const Add& add) {
   for (const auto& gear : result.gears) {
-    const double drag = drag_limit(gear, limits.criterion), vertical = vertical_limit(gear, limits.criterion);
+    const double drag = counts(limits, gear.name, "drag") ? drag_limit(gear, limits.criterion) : 0.0;
+    const double vertical = counts(limits, gear.name, "vertical") ? vertical_limit(gear, limits.criterion) : 0.0;
     add(Kind::drag, gear.name, drag > 0 ? gear.peak_drag / drag : 0.0);
     add(Kind::vertical, gear.name, vertical > 0 ? gear.peak_vertical / vertical : 0.0);
   }
@@ -90,6 +91,13 @@ std::vector<Constraint> load_constraints(const Fleet& fleet, std::size_t fleet_c
   return out;
 }
 
+double worst_use(const simulation::Result& result, const simulation::Model& model, const Limits& limits) {
+  double worst = 0.0;
+  walk_limits(result, limits, limits.table_range ? penetration_use(result, model) : 0.0,
+              [&](Kind, const std::string&, double use) { worst = std::max(worst, use); });
+  return worst;
+}
+
 Figures figures(const simulation::Result& result, const simulation::Model& model, const Limits& limits,
                 double bed_length, const std::vector<double>& places) {
   Figures out;
@@ -100,7 +108,8 @@ Figures figures(const simulation::Result& result, const simulation::Model& model
   for (std::size_t g = 0; g < result.gears.size() && g < result.history.gears.size(); ++g) {
     if (result.gears[g].name != "nose") continue;
     const auto& history = result.history.gears[g];
-    const double limit = drag_limit(result.gears[g], limits.criterion) * result.gears[g].struts;
+    const double per_strut = counts(limits, "nose", "drag") ? drag_limit(result.gears[g], limits.criterion) : 0.0;
+    const double limit = per_strut * result.gears[g].struts;
     if (history.distance.empty()) continue;
     const double last = std::max(0.0, history.distance.back() - 1.0);
     for (const double at : places)

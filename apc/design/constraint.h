@@ -40,6 +40,9 @@ struct Figures {
 /// The load limits of one case that are known: drag and vertical load of each gear, decelerations, range of the tables.
 std::vector<Constraint> load_constraints(const Fleet&, std::size_t fleet_case, const simulation::Model&);
 
+/// The largest use of any load limit; history needed when the tables' range counts.
+double worst_use(const simulation::Result&, const simulation::Model&, const Limits&);
+
 /// `places`: distances of the nose wheel at which its gear's drag is wanted (needs a history). Beyond the last metre
 /// before the stop the drag there is taken, so that a stop which moves past a place changes nothing abruptly.
 Figures figures(const simulation::Result&, const simulation::Model&, const Limits&, double bed_length,

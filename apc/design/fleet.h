@@ -28,6 +28,7 @@ struct Limits {
   Criterion criterion = Criterion::limit;
   double deceleration = 0.0;        ///< m/s², peak; 0 = no limit
   double deceleration_100ms = 0.0;  ///< m/s², largest mean over 0.1 s; 0 = no limit
+  std::vector<std::string> loads;   ///< gear loads that count: "nose drag", "main vertical", …; empty = all known
   bool table_range = true;          ///< penetration stays within the range the load tables were fitted in
 };
 
@@ -55,6 +56,9 @@ struct Fleet {
 /// Throws InputError: file, path, value, remedy. Limits that exclude one another are refused here.
 Fleet load_fleet(const std::filesystem::path&);
 Fleet read_fleet(const Json&);
+
+/// Whether a load of a gear counts; "main" stands for every gear that is not the nose gear.
+bool counts(const Limits&, const std::string& gear, const std::string& load);
 
 /// The names of the aircraft, each once, in the order of the file.
 std::vector<std::string> aircraft_names(const Fleet&);

@@ -66,6 +66,14 @@ Limits read_limits(const Json& json) {
     if (json.has(key)) *value = positive(json, key, dimension::acceleration, 100.0, "limit of deceleration");
   json.check(limits.deceleration == 0 || limits.deceleration_100ms <= limits.deceleration, "deceleration_100ms",
              "is above \"deceleration\": a mean over 0.1 s never exceeds the peak, so it would limit nothing");
+  if (json.has("loads")) {
+    limits.loads = json.texts("loads");
+    json.check(!limits.loads.empty(), "loads",
+               "is empty: without a load limit any bed would do. Leave it out to count all");
+    for (const auto& load : limits.loads)
+      json.check(load == "nose drag" || load == "nose vertical" || load == "main drag" || load == "main vertical",
+                 "loads", concat("holds \"", load, "\"; known are nose drag, nose vertical, main drag, main vertical"));
+  }
   limits.table_range = json.flag("table_range", true);
   return limits;
 }
@@ -140,6 +148,11 @@ Fleet read_fleet(const Json& json) {
 }
 
 Fleet load_fleet(const std::filesystem::path& path) { return read_fleet(read_json(path)); }
+
+bool counts(const Limits& limits, const std::string& gear, const std::string& load) {
+  const auto name = std::string(gear == "nose" ? "nose " : "main ") + load;
+  return limits.loads.empty() || std::find(limits.loads.begin(), limits.loads.end(), name) != limits.loads.end();
+}
 
 std::vector<std::string> aircraft_names(const Fleet& fleet) {
   std::vector<std::string> names;

@@ -74,7 +74,7 @@ class Writer {
 
   Eigen::VectorXd values(const Profile& profile, double extra, const std::vector<Figures>& cases) const {
     const auto& problem = evaluator_.problem();
-    const double slack = aim_.feasibility ? extra : 0.0;
+    const double slack = aim_.feasibility ? extra : -aim_.reserve;
     std::vector<double> out{objective(profile, extra)};
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!aim_.feasibility) out.push_back(stop(i, cases[i], extra));

@@ -36,6 +36,7 @@ struct Aim {
   std::vector<std::size_t> cases;  ///< of the fleet
   std::vector<double> alone;       ///< m, x*_k per entry of `cases`; for Objective::minimax
   double allowance = 0.0;          ///< taken off the nose drag's limit at watched places, as a share: for peaks between
+  double reserve = 0.0;            ///< taken off every load limit, as a share: a margin asked for
   bool feasibility = false;        ///< f = s, g = use − 1 − s: the least overstep of the limits that can be reached
 };
 

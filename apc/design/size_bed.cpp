@@ -137,7 +137,7 @@ void forbid_by_loads(Evaluator& evaluator, Aim aim, const Profile& start, const 
 std::vector<double> alone(Evaluator& evaluator, const Aim& aim, const SizeOptions& options) {
   std::vector<double> out;
   for (const std::size_t k : aim.cases) {
-    Aim one{Objective::length, aim.reference, 0.0, {k}, {}, false};
+    Aim one{Objective::length, aim.reference, 0.0, {k}, {}, 0.0, 0.0, false};
     const auto uniform = uniform_bed(evaluator, {k});
     const Profile start{
         evaluator.problem().fleet.bed.maximum_ramp, aim.reference,
@@ -165,9 +165,9 @@ void judge_cases(const Problem& problem, Design& design) {
     if (figures.distance / bed.length() > out.use) out.active = {Kind::stop, k, "", -1, ""};
     auto model = problem.models[k];
     model.bed = bed;
-    const auto speeds =
-        study::critical_speed(model, problem.fleet.cases[k].overrun, bed.length(), problem.fleet.limits.criterion,
-                              problem.solve, {simulation::Method::fast, 1e-6, 0.0, 120.0});
+    const auto use = [&](const simulation::Result& result) { return worst_use(result, model, problem.fleet.limits); };
+    const auto speeds = study::critical_speed(model, problem.fleet.cases[k].overrun, bed.length(), use, problem.solve,
+                                              {simulation::Method::fast, 1e-6, 0.01, 120.0});
     out.arrest_speed = speeds.arrest, out.max_exit_speed = speeds.intact;
   });
 }
@@ -195,7 +195,7 @@ Design size_bed(const Problem& problem, study::Store& store, const SizeOptions& 
   const auto& space = problem.fleet.bed;
   Design design;
   design.objective = options.objective;
-  Aim aim{options.objective, 0.0, options.length > 0 ? options.length : space.maximum_length, {}, {}, false};
+  Aim aim{options.objective, 0.0, options.length > 0 ? options.length : space.maximum_length, {}, {}, 0.0, 0.0, false};
   aim.cases.resize(problem.fleet.cases.size());
   std::iota(aim.cases.begin(), aim.cases.end(), std::size_t{0});
 

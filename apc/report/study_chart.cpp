@@ -22,8 +22,7 @@ struct Range {
 Range range_along(const Chart& chart) {
   Range range;
   for (const auto& line : chart.lines)
-    for (std::size_t i = 0; i < line.x.size(); ++i)
-      if (std::isfinite(line.y[i])) range.see(line.x[i]);
+    for (const double value : line.x) range.see(value);
   for (const auto& line : chart.verticals) range.see(line.value);
   if (range.high < range.low) range = {0.0, 1.0};
   if (range.high - range.low <= 0) range.low -= chart.along.si.factor, range.high += chart.along.si.factor;
@@ -88,7 +87,7 @@ std::string legend(const Chart& chart) {
     out += fmt::format(
         "<span class=\"key\"><svg viewBox=\"0 0 22 8\" aria-hidden=\"true\"><path class=\"curve {}\" "
         "d=\"M1,4H21\"/></svg>{}</span> ",
-        line.look, escaped(line.name));
+        line.look, line.name);
   for (const auto& marks : chart.marks)
     out +=
         "<span class=\"key\"><svg viewBox=\"0 0 22 8\" aria-hidden=\"true\"><circle class=\"ring\" cx=\"11\" cy=\"4\" "
@@ -135,46 +134,44 @@ std::string figure(const Chart& chart) {
 
 std::string tornado_figure(const std::string& title, double centre, const Measure& measure,
                            const std::vector<TornadoRow>& rows) {
-  constexpr double row = 30, names = 150;
-  const double tall = 30 + row * static_cast<double>(rows.size());
+  constexpr double row = 31, names = 128, column = 50;  // two columns of values stand beside the bars
+  const double tall = 34 + row * static_cast<double>(rows.size());
   Range range;
   range.see(centre);
   for (const auto& each : rows) range.see(each.low), range.see(each.high);
-  const double air = 0.25 * std::max(range.high - range.low, 1e-6 * std::abs(centre) + 1e-9);
-  const Axis across{range.low - air, range.high + air, names, width - 6};
+  const double air = 0.04 * std::max(range.high - range.low, 1e-6 * std::abs(centre) + 1e-9);
+  const Axis across{range.low - air, range.high + air, names + column, width - column - 4};
   std::string out = fmt::format(
-      "<figure class=\"plot\"><figcaption><b>{}</b>, {}<span class=\"reading\">centre {}</span></figcaption>\n",
+      "<figure class=\"plot\"><figcaption><b>{}</b>, {}<span class=\"reading\">now {}</span></figcaption>\n",
       escaped(title), both_units(measure), both(centre, measure));
   out += fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">", width, pixel(tall), escaped(title));
-  double y = 10;
+  const auto written = [&](double value, double x, double y, const char* look) {
+    return fmt::format("<text class=\"tick name {}\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>", look, pixel(x),
+                       pixel(y),
+                       either("tspan", number(value / measure.field.factor, measure.field.digits),
+                              number(value / measure.si.factor, measure.si.digits)));
+  };
+  double y = 24;
+  out += fmt::format(
+      "<text class=\"tick name nose\" x=\"{}\" y=\"16\" text-anchor=\"end\">low</text>"
+      "<text class=\"tick name main\" x=\"{}\" y=\"16\" text-anchor=\"end\">high</text>",
+      pixel(names + column - 6), pixel(width - 2));
   for (const auto& each : rows) {
     out += fmt::format(
         "<text x=\"{0}\" y=\"{1}\" text-anchor=\"end\">{2}</text><text class=\"tick\" x=\"{0}\" y=\"{3}\" "
         "text-anchor=\"end\">{4} … {5}</text>",
-        names - 8, pixel(y + 10), escaped(each.name), pixel(y + 22), escaped(each.low_name), escaped(each.high_name));
-    const auto bar = [&](double value, const char* look) {
+        names, pixel(y + 9), escaped(each.name), pixel(y + 22), escaped(each.low_name), escaped(each.high_name));
+    const auto bar = [&](double value, const char* look, double top_of) {
       if (!std::isfinite(value)) return;
       const double from = std::min(across(centre), across(value)), wide = std::abs(across(value) - across(centre));
-      out += fmt::format("<rect class=\"tornado {}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"14\"/>", look, pixel(from),
-                         pixel(y + 3), pixel(wide));
-      const bool to_right = value >= centre;
-      out += fmt::format("<text class=\"tick\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>",
-                         pixel(across(value) + (to_right ? 4 : -4)), pixel(y + 14), to_right ? "start" : "end",
-                         either("tspan", number(value / measure.field.factor, measure.field.digits),
-                                number(value / measure.si.factor, measure.si.digits)));
+      out += fmt::format("<rect class=\"tornado {}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"9\"/>", look, pixel(from),
+                         pixel(top_of), pixel(std::max(wide, 0.8)));
     };
-    bar(each.low, "low"), bar(each.high, "high");
+    bar(each.low, "low", y), bar(each.high, "high", y + 10);
+    out += written(each.low, names + column - 6, y + 14, "nose") + written(each.high, width - 2, y + 14, "main");
     y += row;
   }
-  out += fmt::format("<path class=\"zero\" d=\"M{0},4V{1}\"/>", pixel(across(centre)), pixel(y));
-  out += fmt::format(
-      "<rect class=\"tornado low\" x=\"{}\" y=\"{}\" width=\"10\" height=\"10\"/><text class=\"tick\" x=\"{}\" "
-      "y=\"{}\">input low</text>",
-      names, pixel(y + 4), names + 14, pixel(y + 13));
-  out += fmt::format(
-      "<rect class=\"tornado high\" x=\"{}\" y=\"{}\" width=\"10\" height=\"10\"/><text class=\"tick\" x=\"{}\" "
-      "y=\"{}\">input high</text>",
-      names + 90, pixel(y + 4), names + 104, pixel(y + 13));
+  out += fmt::format("<path class=\"zero\" d=\"M{0},18V{1}\"/>", pixel(across(centre)), pixel(y));
   return out + "</svg></figure>\n";
 }
 

@@ -12,7 +12,7 @@ namespace apc::report {
 /// `look` names a style of the page: "nose", "main", "third", "fourth", "total", or the same with "rut-" before it
 /// (dashed).
 struct ChartLine {
-  std::string name, look;
+  std::string name, look;    ///< the name is HTML
   std::vector<double> x, y;  ///< SI; breaks where y is not finite
 };
 

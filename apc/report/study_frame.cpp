@@ -11,6 +11,7 @@ namespace {
 const char* const more_style = R"css(
 .dot{stroke:none}.dot.nose,.dot.rut-nose{fill:var(--nose)}.dot.main,.dot.rut-main{fill:var(--main)}.dot.third,.dot.rut-third{fill:var(--third)}
 .dot.fourth,.dot.rut-fourth{fill:var(--fourth)}.dot.total,.dot.rut-total{fill:var(--total)}.curve.rut-total{stroke:var(--total)}
+.curve.limit{stroke:var(--limit);stroke-dasharray:7 4}figure.plot .reading{white-space:normal}tbody th{white-space:nowrap}
 .ring{fill:none;stroke:var(--limit);stroke-width:1.6}
 .tornado.low{fill:var(--nose)}.tornado.high{fill:var(--main)}
 .keys{display:block;font-size:.83rem}.keys .key:first-child{margin-left:0}

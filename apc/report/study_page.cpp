@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "apc/base/curve.h"
 #include "apc/report/study_chart.h"
 #include "apc/report/study_frame.h"
 #include "apc/report/study_record.h"
@@ -37,7 +38,7 @@ std::vector<Run> runs_of(const StudyRecord& record, std::size_t model) {
     const auto& run = each.input.overrun;
     const auto [entry, fresh] = known.try_emplace({run.mass, run.braking, run.alterations.bed_strength}, out.size());
     if (fresh) {
-      auto name = shown(run.mass, measure::mass, UnitSystem::field);
+      auto name = both(run.mass, measure::mass);
       if (brakings) name += ", braking " + number(run.braking, 2);
       if (strengths) name += ", strength " + percent(run.alterations.bed_strength, 0);
       out.push_back({name, {}});
@@ -66,6 +67,26 @@ Chart over_speed(const std::vector<Run>& runs, const char* title, const Measure&
   return chart;
 }
 
+using GearNumber = double simulation::GearSummary::*;
+
+/// One load of one gear over exit speed, with its limits.
+std::string load_chart(const std::vector<Run>& runs, std::size_t gear, const std::string& title, GearNumber peak,
+                       GearNumber limit, GearNumber ultimate) {
+  auto chart = over_speed(runs, "", measure::force, [&](const simulation::Result& result) {
+    return gear < result.gears.size() ? result.gears[gear].*peak : std::nan("");
+  });
+  chart.title = title;
+  chart.marks.clear();
+  for (const auto& run : runs)
+    for (const auto* each : run.cases) {
+      if (!each->failure.empty() || gear >= each->result.gears.size() || !chart.levels.empty()) continue;
+      const auto& summary = each->result.gears[gear];
+      if (summary.*limit > 0) chart.levels.push_back({"limit", "limit", summary.*limit});
+      if (ultimate && summary.*ultimate > 0) chart.levels.push_back({"ultimate", "ultimate", summary.*ultimate});
+    }
+  return figure(chart);
+}
+
 std::string model_section(const StudyRecord& record, std::size_t m) {
   const auto& model = record.models[m];
   const auto runs = runs_of(record, m);
@@ -83,19 +104,11 @@ std::string model_section(const StudyRecord& record, std::size_t m) {
     for (const double speed : line.y) leaves = leaves || speed > 0;
   if (leaves) out += figure(exits);
   for (std::size_t g = 0; g < model.aircraft.gears.size(); ++g) {
-    auto drag = over_speed(runs, "", measure::force, [g](const simulation::Result& result) {
-      return g < result.gears.size() ? result.gears[g].peak_drag : std::nan("");
-    });
-    drag.title = "Peak drag per " + model.aircraft.gears[g].name + " strut";
-    for (const auto& run : runs)
-      for (const auto* each : run.cases)
-        if (each->failure.empty() && g < each->result.gears.size() && drag.levels.empty()) {
-          const auto& gear = each->result.gears[g];
-          if (gear.drag_limit > 0) drag.levels.push_back({"limit", "limit", gear.drag_limit});
-          if (gear.drag_ultimate > 0) drag.levels.push_back({"ultimate", "ultimate", gear.drag_ultimate});
-        }
-    drag.marks.clear();
-    out += figure(drag);
+    out += load_chart(runs, g, "Peak drag per " + model.aircraft.gears[g].name + " strut",
+                      &simulation::GearSummary::peak_drag, &simulation::GearSummary::drag_limit,
+                      &simulation::GearSummary::drag_ultimate);
+    out += load_chart(runs, g, "Peak vertical load per " + model.aircraft.gears[g].name + " strut",
+                      &simulation::GearSummary::peak_vertical, &simulation::GearSummary::vertical_limit, nullptr);
   }
   auto deceleration = over_speed(runs, "Peak deceleration", measure::acceleration,
                                  [](const simulation::Result& result) { return result.peak_deceleration; });
@@ -139,21 +152,25 @@ std::string envelope_section(const study::Envelope& envelope, double bed_length)
               {},
               {},
               {},
-              "uniform depth behind a ramp; the red line is where the first gear load meets its limit",
+              "uniform depth behind a ramp of 50 ft; right of the red line a gear load passes its limit",
               0.0};
   for (std::size_t s = 0; s < envelope.speeds.size(); ++s)
-    chart.lines.push_back({shown(envelope.speeds[s], measure::speed, UnitSystem::field), line_look(s), envelope.depths,
-                           envelope.stop_distance[s]});
+    chart.lines.push_back(
+        {both(envelope.speeds[s], measure::speed), line_look(s), envelope.depths, envelope.stop_distance[s]});
   ChartMarks over{"a gear load passes its limit", {}, {}};
   for (std::size_t s = 0; s < envelope.speeds.size(); ++s)
     for (std::size_t d = 0; d < envelope.depths.size(); ++d)
       if (envelope.margin[s][d] < 0)
         over.x.push_back(envelope.depths[d]), over.y.push_back(envelope.stop_distance[s][d]);
   if (!over.x.empty()) chart.marks.push_back(over);
-  double deepest = std::nan("");
-  for (const double depth : envelope.limit_depth)
-    if (std::isfinite(depth) && !(depth > deepest)) deepest = depth;
-  if (std::isfinite(deepest)) chart.verticals.push_back({"limit", "limit", deepest});
+  ChartLine limit{"a load at its limit", "limit", {}, {}};
+  for (std::size_t s = 0; s < envelope.speeds.size(); ++s) {
+    const double at = envelope.limit_depth[s];
+    if (!std::isfinite(at)) continue;
+    limit.x.push_back(at);
+    limit.y.push_back(LinearCurve(envelope.depths, envelope.stop_distance[s])(at));
+  }
+  if (limit.x.size() > 1) chart.lines.push_back(limit);
   chart.highest = std::max(2.0 * bed_length, 300.0);
   return figure(chart);
 }

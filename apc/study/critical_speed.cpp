@@ -1,7 +1,9 @@
 #include "apc/study/critical_speed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "apc/base/units.h"
 
@@ -21,6 +23,7 @@ double largest_speed(const std::function<double(double)>& excess, double guess, 
   int last_side = 0;
   for (int round = 0; round < 60; ++round) {
     const double value = excess(next);
+    if (std::abs(value) <= range.value_tolerance) return next;
     if (value <= 0) {
       if (next >= range.high - 1e-12) return range.high;
       low = next, at_low = value;
@@ -47,34 +50,31 @@ double largest_speed(const std::function<double(double)>& excess, double guess, 
 }
 
 CriticalSpeed critical_speed(const simulation::Model& model, const simulation::Overrun& overrun, double bed_end,
-                             Criterion criterion, const Solve& solve, const simulation::Options& options,
+                             const Use& use, const Solve& solve, const simulation::Options& options,
                              const CriticalSpeed& guess, const SpeedRange& range) {
   auto endless = model;
   endless.bed = continued(model.bed);
   CriticalSpeed out;
-  const auto run_from = [&](double speed) {
+  // Both questions are asked of the same overruns: each speed is simulated once.
+  std::map<double, std::array<double, 2>> known;  // speed → {distance over the length, largest use}
+  const auto at = [&](double speed) -> const std::array<double, 2>& {
+    if (const auto entry = known.find(speed); entry != known.end()) return entry->second;
     auto run = overrun;
     run.entry_speed = speed;
     ++out.runs;
-    return solve(endless, run, options);
-  };
-  const auto beyond = [&](const simulation::Result& result) {
+    const auto result = solve(endless, run, options);
     const double left_over = result.exit_speed * result.exit_speed / (2 * 0.05 * units::g0);
     const double stop = std::isfinite(result.stop_distance) ? result.stop_distance : endless.bed.length() + left_over;
-    return stop / bed_end - 1.0;
+    return known[speed] = {stop / bed_end, use(result)};
   };
-  out.arrest = largest_speed([&](double v) { return beyond(run_from(v)); }, guess.arrest, range);
+  out.arrest = largest_speed([&](double v) { return at(v)[0] - 1.0; }, guess.arrest, range);
   if (out.arrest <= 0) return out;
-  const auto overload = [&](double v) {
-    const double margin = worst_margin(run_from(v), criterion);
-    return std::isfinite(margin) ? 1.0 / (1.0 + margin) - 1.0 : -1.0;  // peak/limit − 1
-  };
-  if (overload(out.arrest) <= 0) {
+  if (at(out.arrest)[1] <= 1.0) {
     out.intact = out.arrest;
   } else {
     auto below = range;
     below.high = out.arrest;
-    out.intact = largest_speed(overload, std::min(guess.intact, out.arrest), below);
+    out.intact = largest_speed([&](double v) { return at(v)[1] - 1.0; }, std::min(guess.intact, out.arrest), below);
   }
   return out;
 }

@@ -39,7 +39,7 @@ std::vector<Pair> pairs_around(const simulation::Model& model, const Case& centr
   pairs.push_back(
       moved("mass", "-5 %", "+5 %", centre, [](Overrun& run, double sign) { run.mass *= 1 + 0.05 * sign; }));
   const double shift = 0.01 * wheelbase(model.aircraft);
-  pairs.push_back(moved("centre of gravity", "-1 % of wheelbase (forward)", "+1 % of wheelbase (aft)", centre,
+  pairs.push_back(moved("centre of gravity", "1 % forward", "1 % aft", centre,
                         [shift](Overrun& run, double sign) { run.cg_behind_nose_gear += sign * shift; }));
   pairs.push_back(moved("pitch inertia", "-25 %", "+25 %", centre,
                         [](Overrun& run, double sign) { run.pitch_inertia *= 1 + 0.25 * sign; }));
