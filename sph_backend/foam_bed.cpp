@@ -26,7 +26,7 @@ void append_column(Bed& bed, int column) {
       p.stretch[i] = 1.0f;
       p.id[i] = bed.next_id++;
       p.column[i] = column;
-      p.layer_hold[i] = bed.spec.hold_bottom && k == 0 ? hold_x | hold_y : free_to_move;
+      p.layer_hold[i] = bed.spec.hold_bottom && !bed.spec.free_body && k == 0 ? hold_x | hold_y : free_to_move;
     }
 }
 
@@ -67,7 +67,7 @@ void fill_stress_records(Bed& bed) {
 void renew_neighbours(Bed& bed) {
   Neighbours& n = bed.neighbours;
   n.grid.origin[0] = bed.spec.first_column * bed.spec.spacing;
-  sort_particles(bed.particles, n.grid, bed.spec.mirror_ends ? -1e30 : n.grid.origin[0]);
+  sort_particles(bed.particles, n.grid, bed.spec.mirror_ends || bed.spec.free_body ? -1e30 : n.grid.origin[0]);
   n.records.assign(bed.particles.size() * record::size, 0.0f);
   fill_records(bed, 0, static_cast<int>(bed.particles.size()));
   fill_stress_records(bed);
@@ -136,13 +136,13 @@ Bed make_bed(const BedSpec& spec) {
   NeighbourGrid& grid = bed.neighbours.grid;
   grid.spacing = spec.spacing, grid.support = 2.0 * h0, grid.dt = bed.dt;
   grid.extent[0] = spec.columns * spec.spacing, grid.extent[1] = bed.half_width;
-  grid.planes.push_back({1, 0.0, +1});
-  if (spec.outer_wall) grid.planes.push_back({1, bed.half_width, -1});
-  if (spec.mirror_ends) {
+  if (!spec.free_body) grid.planes.push_back({1, 0.0, +1});
+  if (spec.outer_wall && !spec.free_body) grid.planes.push_back({1, bed.half_width, -1});
+  if (spec.mirror_ends && !spec.free_body) {
     grid.planes.push_back({0, spec.first_column * spec.spacing, +1});
     grid.planes.push_back({0, (spec.first_column + spec.columns) * spec.spacing, -1});
   }
-  grid.planes.push_back({2, 0.0, +1});
+  if (!spec.free_body) grid.planes.push_back({2, 0.0, +1});
 
   for (int c = 0; c < spec.columns; ++c) append_column(bed, spec.first_column + c);
   move_window(bed, spec.first_column, spec.first_column + spec.columns);
@@ -159,7 +159,7 @@ void move_window(Bed& bed, int first_column, int end_column) {
   const int first_ahead = end_column - bed.spec.held_columns;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.id[i] < 0) continue;
-    const bool held = !bed.spec.mirror_ends && (p.x[i] < rear || p.column[i] >= first_ahead);
+    const bool held = !bed.spec.mirror_ends && !bed.spec.free_body && (p.x[i] < rear || p.column[i] >= first_ahead);
     if (held) {
       bed.energy.removed += 0.5 * bed.mass * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
       p.vx[i] = p.vy[i] = p.vz[i] = 0.0;
@@ -209,7 +209,7 @@ void accelerate(Bed& bed) {
   const auto& kernels = pair_kernels();
   bed.team->run(bed.neighbours.clusters, 4, [&](int first, int last) { kernels.accelerate(work, first, last); });
   bed.energy.viscous += total(bed.neighbours.viscous);
-  bed.energy.floor = push_off_floor(bed);
+  if (!bed.spec.free_body) bed.energy.floor = push_off_floor(bed);
 }
 
 void kick(Bed& bed) {

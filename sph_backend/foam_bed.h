@@ -25,6 +25,7 @@ struct BedSpec {
   bool outer_wall = true;    ///< mirror plane at half_width; otherwise a free face
   bool hold_bottom = true;   ///< lowest layer may not slide on the rigid plane
   bool mirror_ends = false;  ///< mirror planes at both ends in x instead of held columns
+  bool free_body = false;    ///< no plane at all, nothing held: a block in empty space
   int first_column = 0, columns = 0;
   int held_columns = 4;            ///< at either end of the block: strain, but do not move
   double alpha = 0.1, beta = 2.0;  ///< artificial viscosity

@@ -73,8 +73,13 @@ inline __attribute__((always_inline)) void update_stress(const PairWork& w, int 
   const Symmetric d{l.xx, l.yy, l.zz, 0.5f * (l.xy + l.yx), 0.5f * (l.xz + l.zx), 0.5f * (l.yz + l.zy)};
   const Vec a = (0.5f * dt) * (l.xy - l.yx), b = (0.5f * dt) * (l.xz - l.zx), c = (0.5f * dt) * (l.yz - l.zy);
 
+  // L is taken at the end of the step, where a turning body seems to swell by ½ Δt² WᵀW: taken out of strain and
+  // volume.
+  const Vec rxx = 0.5f * (a * a + b * b), ryy = 0.5f * (a * a + c * c), rzz = 0.5f * (b * b + c * c);
+  const Vec swelling = rxx + ryy + rzz;
+
   // Continuity, exact for a constant rate: stretch · exp(−dt tr L/3), as a Padé form.
-  const Vec e = (-dt / 6.0f) * trace;
+  const Vec e = (-1.0f / 6.0f) * (dt * trace - swelling);
   // A torn particle does not swell without end: its share of the crack is void, not foam.
   const Vec new_stretch = vmax(stretch * ((1.0f + e) / (1.0f - e)), splat(loosest));
   const Vec ratio = 1.0f / (new_stretch * new_stretch * new_stretch);  // ρ0/ρ
@@ -82,15 +87,15 @@ inline __attribute__((always_inline)) void update_stress(const PairWork& w, int 
   Symmetric old{load(w.stress[0] + base), load(w.stress[1] + base), load(w.stress[2] + base),
                 load(w.stress[3] + base), load(w.stress[4] + base), load(w.stress[5] + base)};
   // Jaumann rate: σ + dt (W σ − σ W), then the elastic trial.
-  const Vec p = (dt * w.lame_lambda) * trace;
-  const float g2 = 2.0f * w.shear_modulus * dt;
+  const Vec p = w.lame_lambda * (dt * trace - swelling);
+  const float g2 = 2.0f * w.shear_modulus;
   Symmetric s;
-  s.xx = old.xx + 2.0f * (a * old.xy + b * old.xz) + g2 * d.xx + p;
-  s.yy = old.yy + 2.0f * (c * old.yz - a * old.xy) + g2 * d.yy + p;
-  s.zz = old.zz - 2.0f * (b * old.xz + c * old.yz) + g2 * d.zz + p;
-  s.xy = old.xy + a * (old.yy - old.xx) + b * old.yz + c * old.xz + g2 * d.xy;
-  s.xz = old.xz + a * old.yz + b * (old.zz - old.xx) - c * old.xy + g2 * d.xz;
-  s.yz = old.yz - a * old.xz + c * (old.zz - old.yy) - b * old.xy + g2 * d.yz;
+  s.xx = old.xx + 2.0f * (a * old.xy + b * old.xz) + g2 * (dt * d.xx - rxx) + p;
+  s.yy = old.yy + 2.0f * (c * old.yz - a * old.xy) + g2 * (dt * d.yy - ryy) + p;
+  s.zz = old.zz - 2.0f * (b * old.xz + c * old.yz) + g2 * (dt * d.zz - rzz) + p;
+  s.xy = old.xy + a * (old.yy - old.xx) + b * old.yz + c * old.xz + g2 * (dt * d.xy - 0.5f * b * c);
+  s.xz = old.xz + a * old.yz + b * (old.zz - old.xx) - c * old.xy + g2 * (dt * d.xz + 0.5f * a * c);
+  s.yz = old.yz - a * old.xz + c * (old.zz - old.yy) - b * old.xy + g2 * (dt * d.yz - 0.5f * a * b);
 
   // Circles around the diagonal (Gershgorin) bound the principal values: most clusters need no decomposition.
   const Vec ox = vabs(s.xy) + vabs(s.xz), oy = vabs(s.xy) + vabs(s.yz), oz = vabs(s.xz) + vabs(s.yz);
