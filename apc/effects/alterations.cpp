@@ -16,6 +16,14 @@ double StrengthProfile::at(double bed_distance) const {
   return (1.0 - u) * log_strength[i] + u * log_strength[i + 1];
 }
 
+double Guide::speed_at(double at) const {
+  const double interval = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+  const double place = std::clamp((at - time.front()) / interval, 0.0, static_cast<double>(time.size() - 1) - 1e-9);
+  const auto i = static_cast<std::size_t>(place);
+  const double u = place - static_cast<double>(i);
+  return (1.0 - u) * speed[i] + u * speed[i + 1];
+}
+
 bool TableError::none() const {
   const auto zero = [](double x) { return x == 0.0; };
   return std::all_of(drag.begin(), drag.end(), zero) && std::all_of(vertical.begin(), vertical.end(), zero);
@@ -48,7 +56,7 @@ bool Alterations::alter_tires() const {
 }
 
 bool Alterations::alter_thrust() const {
-  return std::any_of(effects.begin(), effects.end(), [](const Applied& a) { return bool(a.effect.thrust); });
+  return guide || std::any_of(effects.begin(), effects.end(), [](const Applied& a) { return bool(a.effect.thrust); });
 }
 
 double Alterations::thrust(double time) const {

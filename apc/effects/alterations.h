@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "apc/effects/effect.h"
@@ -33,15 +34,25 @@ struct Conditions {
   double temperature = 293.15;  ///< K
 };
 
+/// Leads a run along a measured speed: a force at ground level, gain × mass × (measured − own speed), from entry on.
+/// What the force has to be is what the model's own forces lack; without it small errors of a run that is nearly
+/// bistable (tires close to crushing through) grow until model and measurement are two different runs.
+struct Guide {
+  std::vector<double> time, speed;  ///< evenly spaced from time.front(); s, m/s
+  double gain = 20.0;               ///< 1/s
+  double speed_at(double at) const;
+};
+
 struct Alterations {
   std::vector<Applied> effects;
   double bed_strength = 1.0;              ///< × crush strength everywhere
   std::vector<StrengthProfile> strength;  ///< per gear group, or empty
   std::vector<TableError> table_errors;   ///< per gear group, or empty
   Conditions conditions;
+  std::shared_ptr<const Guide> guide;  ///< null: the run is free
 
   bool alter_tires() const;  ///< false: tires see the plain tables
-  bool alter_thrust() const;
+  bool alter_thrust() const;  ///< a force that depends on time acts, the guide included
   double thrust(double time) const;  ///< N forward, all effects
 };
 

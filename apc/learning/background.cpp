@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
@@ -48,8 +50,8 @@ void quoted_noise(Background& b) {
     for (const Channel& c : b.runs[r].channels) {
       NoiseModel& noise = b.noise[c.quantity];
       noise.white = std::max(noise.white == 1.0 ? 0.0 : noise.white, c.noise);
-      noise.slow = 0.04 * range_of(b, c.quantity);
-      noise.correlation = 0.2;
+      noise.slow = c.quantity == Quantity::speed ? 0.4 : 0.05 * range_of(b, c.quantity);
+      noise.correlation = c.quantity == Quantity::speed ? 1.0 : 0.3;
     }
   b.rut_noise = {0.02, 0.01, 0.2};
 }
@@ -87,48 +89,55 @@ void learn_noise(Background& b) {
   make_whiteners(b);
 }
 
-/// Simulates all training runs at `eta`; the objective, and traces when they are wanted.
-double evaluate(const Background& b, const Eigen::VectorXd& eta, std::vector<Trace>* traces) {
-  std::vector<double> parts(b.training, 0.0);
-  if (traces) traces->resize(b.runs.size());
-  parallel_for(b.training, b.threads, [&](std::size_t r) {
-    parts[r] = whitened_misfit(b, r, eta, b.added, traces ? &(*traces)[r] : nullptr).squaredNorm();
-  });
+/// Misfits and traces of all training runs at `eta`; the objective.
+double visit(const Background& b, const Eigen::VectorXd& eta, std::vector<Eigen::VectorXd>& misfits,
+             std::vector<Trace>& traces) {
+  misfits.resize(b.training), traces.resize(b.runs.size());
+  parallel_for(b.training, b.threads,
+               [&](std::size_t r) { misfits[r] = whitened_misfit(b, r, eta, b.added, &traces[r]); });
   double sum = prior_term(b, eta);
-  for (const double p : parts) sum += p;
+  for (const auto& m : misfits) sum += m.squaredNorm();
   return sum;
 }
 
-/// Gauss–Newton with step halving.
-void improve(Background& b, int iterations, double tolerance) {
-  for (int i = 0; i < iterations; ++i) {
-    linearise(b);
+/// Gauss–Newton steps with halving on the sensitivities at hand: they cost a hundred simulations per run, a step one.
+void improve(Background& b, int steps, double tolerance) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(b.information + b.prior.precision);
+  std::vector<Eigen::VectorXd> misfits(b.training);
+  for (std::size_t r = 0; r < b.training; ++r) misfits[r] = b.linear[r].misfit;
+  for (int i = 0; i < steps; ++i) {
     Eigen::VectorXd gradient = -b.prior.precision * b.offset();
-    for (const RunLinear& l : b.linear) {
-      const Eigen::VectorXd part = l.S.transpose() * l.misfit;
+    for (std::size_t r = 0; r < b.training; ++r) {
+      const RunLinear& l = b.linear[r];
+      const Eigen::VectorXd part = l.S.transpose() * misfits[r];
       for (std::size_t k = 0; k < l.columns.size(); ++k) gradient[l.columns[k]] += part[static_cast<Eigen::Index>(k)];
     }
-    const Eigen::LLT<Eigen::MatrixXd> factor(b.information + b.prior.precision);
     const Eigen::VectorXd step = factor.solve(gradient);
-    const double before = b.objective, promised = gradient.dot(step);
+    const double before = b.objective;
     bool moved = false;
-    for (double share = 1.0; share > 0.05; share *= 0.5) {
+    for (double share = 1.0; share > 0.2; share *= 0.5) {
       std::vector<Trace> traces;
+      std::vector<Eigen::VectorXd> there;
       double after = 0.0;
       try {
-        after = evaluate(b, b.eta + share * step, &traces);
+        after = visit(b, b.eta + share * step, there, traces);
       } catch (const SolveError&) {
         continue;
       }
       if (after >= before) continue;
       b.eta += share * step;
       b.objective = after;
-      b.traces = std::move(traces);
+      std::copy(std::make_move_iterator(traces.begin()),
+                std::make_move_iterator(traces.begin() + static_cast<std::ptrdiff_t>(b.training)), b.traces.begin());
+      misfits = std::move(there);
       moved = true;
       break;
     }
-    if (!moved || before - b.objective < tolerance || promised < tolerance) break;
+    if (std::getenv("APC_TRACE_FIT"))
+      std::fprintf(stderr, "  step %d objective %.1f -> %.1f\n", i, before, b.objective);
+    if (!moved || before - b.objective < tolerance) break;
   }
+  assemble(b);
 }
 
 }  // namespace
@@ -151,7 +160,7 @@ void whiten_rows(const Background& b, std::size_t r, Eigen::Ref<Eigen::MatrixXd>
 
 Eigen::VectorXd whitened_misfit(const Background& b, std::size_t r, const Eigen::VectorXd& eta,
                                 const std::vector<effects::Applied>& added, Trace* trace) {
-  Trace local = simulate_run(*b.data, b.layout, r, b.runs[r], eta, added);
+  Trace local = simulate_run(*b.data, b.layout, r, b.runs[r], eta, added, b.guides[r]);
   Eigen::MatrixXd misfit =
       b.measured[r] - predict(b.runs[r], b.rows[r], local, b.layout.runs[r], eta, b.data->aircraft);
   whiten_rows(b, r, misfit);
@@ -162,20 +171,21 @@ Eigen::VectorXd whitened_misfit(const Background& b, std::size_t r, const Eigen:
 void linearise(Background& b) {
   const Eigen::VectorXd deviation = prior_deviation(b.layout, *b.data, b.runs, b.scatter);
   b.linear.assign(b.training, {});
+  for (std::size_t r = 0; r < b.training; ++r) b.guides[r] = make_guide(b.runs[r], b.layout.runs[r], b.eta);
   std::vector<std::pair<std::size_t, std::size_t>> jobs;  // run, column
   for (std::size_t r = 0; r < b.training; ++r) {
     RunLinear& l = b.linear[r];
     l.columns = b.layout.simulated(r);
     const std::size_t simulated = l.columns.size();
     for (const Eigen::Index i : instrument_indices(b.layout.runs[r])) l.columns.push_back(i);
-    l.S = Eigen::MatrixXd::Zero(b.rows[r].size, static_cast<Eigen::Index>(l.columns.size()));
+    l.plain = Eigen::MatrixXd::Zero(b.rows[r].size, static_cast<Eigen::Index>(l.columns.size()));
     for (std::size_t k = 0; k < simulated; ++k) jobs.emplace_back(r, k);
   }
   parallel_for(b.training, b.threads, [&](std::size_t r) {
     b.linear[r].misfit = whitened_misfit(b, r, b.eta, b.added, &b.traces[r]);
     const auto instruments =
         instrument_columns(b.runs[r], b.rows[r], b.traces[r], b.layout.runs[r], b.eta, b.data->aircraft);
-    b.linear[r].S.rightCols(instruments.cols()) = instruments;
+    b.linear[r].plain.rightCols(instruments.cols()) = instruments;
   });
   std::vector<Eigen::VectorXd> base(b.training);
   for (std::size_t r = 0; r < b.training; ++r)
@@ -187,8 +197,8 @@ void linearise(Background& b) {
     for (const double step : {0.5 * deviation[index], -0.5 * deviation[index]}) {
       eta[index] = b.eta[index] + step;
       try {
-        const Trace trace = simulate_run(*b.data, b.layout, r, b.runs[r], eta, b.added);
-        b.linear[r].S.col(static_cast<Eigen::Index>(k)) =
+        const Trace trace = simulate_run(*b.data, b.layout, r, b.runs[r], eta, b.added, b.guides[r]);
+        b.linear[r].plain.col(static_cast<Eigen::Index>(k)) =
             (predict(b.runs[r], b.rows[r], trace, b.layout.runs[r], b.eta, b.data->aircraft) - base[r]) / step;
         return;
       } catch (const SolveError&) {
@@ -196,13 +206,24 @@ void linearise(Background& b) {
       }
     }
   });
+  assemble(b);
+}
+
+void assemble(Background& b) {
+  parallel_for(b.training, b.threads, [&](std::size_t r) {
+    Eigen::MatrixXd misfit =
+        b.measured[r] - predict(b.runs[r], b.rows[r], b.traces[r], b.layout.runs[r], b.eta, b.data->aircraft);
+    whiten_rows(b, r, misfit);
+    b.linear[r].misfit = misfit;
+    b.linear[r].S = b.linear[r].plain;
+    whiten_rows(b, r, b.linear[r].S);
+  });
   b.information = Eigen::MatrixXd::Zero(b.layout.size, b.layout.size);
   b.right = Eigen::VectorXd::Zero(b.layout.size);
   b.objective = prior_term(b, b.eta);
   const Eigen::VectorXd offset = b.offset();
   for (std::size_t r = 0; r < b.training; ++r) {
-    RunLinear& l = b.linear[r];
-    whiten_rows(b, r, l.S);
+    const RunLinear& l = b.linear[r];
     Eigen::MatrixXd square = Eigen::MatrixXd::Zero(l.S.cols(), l.S.cols());
     square.selfadjointView<Eigen::Lower>().rankUpdate(l.S.transpose());
     square = Eigen::MatrixXd(square.selfadjointView<Eigen::Lower>());
@@ -244,29 +265,37 @@ Background fit_background(const Case& data, const BackgroundOptions& options) {
   quoted_noise(b);
   make_whiteners(b);
   b.eta = b.prior.mean;
-  b.objective = evaluate(b, b.eta, &b.traces);
+  for (std::size_t r = 0; r < b.training; ++r) b.guides.push_back(make_guide(b.runs[r], b.layout.runs[r], b.eta));
+  b.traces.resize(b.runs.size());
   const auto tell = [&](double share, const char* what) {
     if (options.report) options.report(share, what);
   };
   tell(0.05, "fitting the background");
-  improve(b, 3, 20.0);
-  learn_noise(b);
-  tell(0.5, "fitting the background with learned noise");
-  b.objective = evaluate(b, b.eta, &b.traces);
-  improve(b, std::max(1, options.iterations - 3), 5.0);
-  learn_noise(b);
   linearise(b);
+  improve(b, 4, 10.0);
+  learn_noise(b);
+  assemble(b);
+  improve(b, 4, 5.0);
+  tell(0.5, "fitting the background with learned noise");
+  for (int i = 0; i < options.iterations; ++i) {
+    linearise(b);
+    improve(b, 5, 2.0);
+    learn_noise(b);
+    assemble(b);
+  }
+  improve(b, 5, 1.0);
   tell(1.0, "background fitted");
   return b;
 }
 
-Background refit_background(const Background& start, const std::vector<effects::Applied>& added, int iterations,
+Background refit_background(const Background& start, const std::vector<effects::Applied>& added, int linearisations,
                             const Report& report) {
   Background b = start;
   b.added = added;
-  b.objective = evaluate(b, b.eta, &b.traces);
-  improve(b, iterations, 5.0);
-  linearise(b);
+  for (int i = 0; i < linearisations; ++i) {
+    linearise(b);
+    improve(b, 5, 2.0);
+  }
   if (report) report(1.0, "refitted");
   return b;
 }

@@ -13,8 +13,9 @@ namespace apc::learning {
 /// Sensitivities and misfit of one run, whitened.
 struct RunLinear {
   std::vector<Eigen::Index> columns;  ///< which unknowns the columns of S belong to
+  Eigen::MatrixXd plain;              ///< sensitivities as they are; S is whitened
   Eigen::MatrixXd S;
-  Eigen::VectorXd misfit;  ///< y − h at the fit
+  Eigen::VectorXd misfit;  ///< y − h at the fit, whitened
 };
 
 struct Background {
@@ -29,7 +30,8 @@ struct Background {
   std::vector<Eigen::VectorXd> measured;
   std::map<Quantity, NoiseModel> noise;
   NoiseModel rut_noise;
-  std::vector<std::vector<Whitener>> whiteners;  ///< per run: channels, then nose rut, main rut
+  std::vector<std::vector<Whitener>> whiteners;               ///< per run: channels, then nose rut, main rut
+  std::vector<std::shared_ptr<const effects::Guide>> guides;  ///< per training run: its measured speed
   Eigen::VectorXd eta;
   std::vector<Trace> traces;  ///< at eta
   std::vector<RunLinear> linear;
@@ -44,7 +46,7 @@ struct Background {
 using Report = std::function<void(double share, const std::string& what)>;
 
 struct BackgroundOptions {
-  int iterations = 6;
+  int iterations = 1;  ///< renewals of the sensitivities after the first
   unsigned threads = 0;
   Report report;
 };
@@ -60,8 +62,10 @@ Eigen::VectorXd whitened_misfit(const Background&, std::size_t run, const Eigen:
 void whiten_rows(const Background&, std::size_t run, Eigen::Ref<Eigen::MatrixXd> columns);
 double prior_term(const Background&, const Eigen::VectorXd& eta);
 
-/// Recomputes all sensitivities at `eta`.
+/// Recomputes all sensitivities at `eta` (about a hundred simulations per run).
 void linearise(Background&);
+/// Misfits at `eta` and all products, under the present noise, with the sensitivities at hand.
+void assemble(Background&);
 /// Log evidence of the case under its present noise, scatter and effects (Laplace), up to a constant.
 double log_evidence(const Background&);
 

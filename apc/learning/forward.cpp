@@ -12,7 +12,7 @@ constexpr double slowest = 3.0;  ///< m/s; below it stopping dominates and nothi
 
 double end_time(const Run& run) {
   const Channel* speed = run.find(Quantity::speed);
-  if (!speed) return 1e9;
+  if (!speed || speed->time.empty()) return 1e9;
   double last = speed->time.front();
   for (std::size_t i = 0; i < speed->time.size(); ++i)
     if (speed->value[i] > slowest) last = speed->time[i];
@@ -159,33 +159,103 @@ simulation::Overrun overrun_of(const Case& data, const Layout& layout, std::size
   for (std::size_t g = 0; g < data.aircraft.gears.size(); ++g) {
     a.strength.push_back(data.aircraft.gears[g].is_nose() ? nose : main);
     effects::TableError error;
-    const double* knots = eta.data() + layout.table + 18 * static_cast<Eigen::Index>(layout.table_of_gear[g]);
-    std::copy(knots, knots + 9, error.drag.begin());
-    std::copy(knots + 9, knots + 18, error.vertical.begin());
+    const double* number =
+        eta.data() + layout.table + table_numbers * static_cast<Eigen::Index>(layout.table_of_gear[g]);
+    static constexpr double speeds[3] = {-0.68, 0.0,
+                                         1.0};  // of the table error's knots, in steps of 18.5 m/s from 17.5
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        error.drag[3 * i + j] = number[j] + speeds[i] * number[3 + j];
+        error.vertical[3 * i + j] = number[6 + j] + speeds[i] * number[9 + j];
+      }
     a.table_errors.push_back(error);
   }
   return o;
 }
 
 Trace simulate_run(const Case& data, const Layout& layout, std::size_t r, const Run& run, const Eigen::VectorXd& eta,
-                   const std::vector<effects::Applied>& added) {
+                   const std::vector<effects::Applied>& added, std::shared_ptr<const effects::Guide> guide) {
   simulation::Options options;
   options.method = simulation::Method::fast;
   options.sampling = 0.01;
+  options.rtol = 3e-5;
+  simulation::Overrun overrun = overrun_of(data, layout, r, run, eta, added);
+  overrun.alterations.guide = guide;
   Trace trace;
-  trace.result =
-      simulation::simulate(model_of(data, layout, eta), overrun_of(data, layout, r, run, eta, added), options);
-  const simulation::Result& result = trace.result;
+  trace.result = simulation::simulate(model_of(data, layout, eta), overrun, options);
+  simulation::Result& result = trace.result;
+  double lost = 0.0;  // speed the guiding force has added so far
+  if (guide) {
+    simulation::History& h = result.history;
+    double before = 0.0;
+    for (std::size_t i = 0; i < h.time.size(); ++i) {
+      const double push = h.time[i] > 0.0 ? guide->gain * (guide->speed_at(h.time[i]) - h.speed[i]) : 0.0;
+      if (i > 0) lost += 0.5 * (push + before) * (h.time[i] - h.time[i - 1]);
+      before = push;
+      h.speed[i] -= lost;
+      h.deceleration[i] += push;
+      h.acceleration_x[i] -= push;
+    }
+  }
   const double length = data.bed.length();
   const double a = std::max(0.3, result.mean_deceleration);
   if (result.outcome == simulation::Outcome::left_bed || result.exit_speed > 0.0) {
-    trace.exit_speed = result.exit_speed;
+    trace.exit_speed = result.exit_speed - lost;
     trace.stop = length + result.exit_speed * result.exit_speed / (2.0 * a);
   } else {
     trace.stop = result.stop_distance;
     trace.exit_speed = -std::sqrt(2.0 * a * std::max(0.0, length - result.stop_distance));
   }
   return trace;
+}
+
+std::shared_ptr<const effects::Guide> make_guide(const Run& run, const RunLayout& at, const Eigen::VectorXd& eta) {
+  for (std::size_t c = 0; c < run.channels.size(); ++c) {
+    const Channel& channel = run.channels[c];
+    if (channel.quantity != Quantity::speed || channel.time.size() < 10) continue;
+    // Within twice the quoted errors: a guide must not follow a fit that has gone astray.
+    const auto limited = [](double value, double most) { return std::clamp(value, -most, most); };
+    const double delay =
+        std::clamp(eta[at.lag[c]], 0.0, 2.0 * channel.lag) + limited(eta[at.clock], 2.0 * run.uncertainty.clock);
+    const double bias = limited(eta[at.bias[c]], 2.0 * channel.bias), scale = limited(eta[at.scale[c]], 0.05);
+    const double end = end_time(run) - delay;
+    constexpr double interval = 0.05, jerk = 30.0;
+    const auto n = static_cast<Eigen::Index>(std::max(20.0, std::ceil(end / interval))) + 1;
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+    const double weight = 1.0 / (channel.noise * channel.noise);
+    for (std::size_t i = 0; i < channel.time.size(); ++i) {
+      const double place = (channel.time[i] - delay) / interval;
+      if (place < 0.0 || place >= static_cast<double>(n - 1)) continue;
+      const auto k = static_cast<Eigen::Index>(place);
+      const double u = place - static_cast<double>(k), v = (channel.value[i] - bias) / (1.0 + scale);
+      normal(k, k) += weight * (1.0 - u) * (1.0 - u);
+      normal(k, k + 1) += weight * u * (1.0 - u);
+      normal(k + 1, k) += weight * u * (1.0 - u);
+      normal(k + 1, k + 1) += weight * u * u;
+      right[k] += weight * (1.0 - u) * v;
+      right[k + 1] += weight * u * v;
+    }
+    const double stiff = 1.0 / (jerk * interval * interval * interval);
+    for (Eigen::Index k = 1; k + 1 < n; ++k) {
+      const double d[3] = {1.0, -2.0, 1.0};
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) normal(k - 1 + i, k - 1 + j) += stiff * d[i] * d[j];
+    }
+    const Eigen::VectorXd smooth = normal.ldlt().solve(right);
+    auto guide = std::make_shared<effects::Guide>();
+    for (Eigen::Index k = 0; k < n; ++k)
+      guide->time.push_back(interval * static_cast<double>(k)), guide->speed.push_back(smooth[k]);
+    // Beyond the last sample: on with the last second's trend, until it has stopped for certain.
+    const Eigen::Index second = std::min<Eigen::Index>(n - 1, 20);
+    const double slope =
+        std::min(-0.5, (smooth[n - 1] - smooth[n - 1 - second]) / (interval * static_cast<double>(second)));
+    while (guide->speed.back() > -1.0)
+      guide->time.push_back(guide->time.back() + interval),
+          guide->speed.push_back(guide->speed.back() + slope * interval);
+    return guide;
+  }
+  return nullptr;
 }
 
 Signal::Signal(const simulation::History& history, const Channel& channel, const aircraft::Aircraft& aircraft)
@@ -261,6 +331,12 @@ Eigen::MatrixXd instrument_columns(const Run& run, const Rows& rows, const Trace
       columns(row, first) = 1.0;
       columns(row, first + 1) = signal(time);
       columns(row, first + 2) = slope;
+    }
+    if (channel.quantity == Quantity::speed && rows.stop) {  // the way is the integral of the measured speed
+      columns(rows.last, first) = -trace.result.stop_time;
+      columns(rows.last, first + 1) = -trace.stop;
+      columns(rows.last, first + 2) = -run.overrun.entry_speed;
+      columns(rows.last, 0) = -run.overrun.entry_speed;
     }
   }
   return columns;

@@ -18,7 +18,8 @@ struct Rows {
 Rows make_rows(const Run&, const Case&);
 Eigen::VectorXd measured(const Run&, const Rows&);
 
-/// One simulated run.
+/// One simulated run. When it was led along the measured speed, speed and acceleration_x of the history are what the
+/// model's own forces would have made of it (the guiding force taken out again), along the measured way.
 struct Trace {
   simulation::Result result;
   double stop = 0.0;        ///< m; continued smoothly beyond the far end when it left the bed
@@ -27,7 +28,11 @@ struct Trace {
 
 /// Simulates `run` with the unknowns of `eta` and the given effects. SolveError when the solver gives up.
 Trace simulate_run(const Case&, const Layout&, std::size_t r, const Run&, const Eigen::VectorXd& eta,
-                   const std::vector<effects::Applied>&);
+                   const std::vector<effects::Applied>&, std::shared_ptr<const effects::Guide> guide = nullptr);
+
+/// The measured speed, smoothed and freed of the instrument errors in `eta`; null without a usable speed channel.
+/// Smoothing: least squares with a white-noise prior on the jerk, 30 (m/s³)² s.
+std::shared_ptr<const effects::Guide> make_guide(const Run&, const RunLayout&, const Eigen::VectorXd& eta);
 simulation::Overrun overrun_of(const Case&, const Layout&, std::size_t r, const Run&, const Eigen::VectorXd& eta,
                                const std::vector<effects::Applied>&);
 simulation::Model model_of(const Case&, const Layout&, const Eigen::VectorXd& eta);

@@ -48,7 +48,7 @@ Eigen::MatrixXd block_covariance(const Layout& layout, const std::vector<std::si
 std::vector<Eigen::Index> Layout::simulated(std::size_t run) const {
   const RunLayout& r = runs[run];
   std::vector<Eigen::Index> result = {bed_strength, cg, drag, cg_height};
-  for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(18 * tables); ++i) result.push_back(table + i);
+  for (Eigen::Index i = 0; i < table_numbers * static_cast<Eigen::Index>(tables); ++i) result.push_back(table + i);
   for (const Eigen::Index i : {r.entry_speed, r.mass, r.cg, r.inertia, r.wind}) result.push_back(i);
   for (Eigen::Index i = 0; i < r.blocks; ++i) result.push_back(r.nose_blocks + i);
   for (Eigen::Index i = 0; i < r.blocks; ++i) result.push_back(r.main_blocks + i);
@@ -65,11 +65,11 @@ Layout make_layout(const Case& data, const std::vector<Run>& runs) {
   }
   layout.tables = names.size();
   const double block = data.bed.block_length > 0.0 ? data.bed.block_length : 1.22;
-  layout.spacing = block * std::clamp(std::round(data.correlation / (2.0 * block)), 1.0, 2.0);
+  layout.spacing = block * std::clamp(std::round(data.correlation / (2.0 * block)), 2.0, 4.0);
   Eigen::Index next = 0;
   layout.bed_strength = next++, layout.cg = next++, layout.drag = next++, layout.cg_height = next++;
   layout.table = next;
-  next += static_cast<Eigen::Index>(18 * layout.tables);
+  next += table_numbers * static_cast<Eigen::Index>(layout.tables);
   for (const Run& run : runs) {
     RunLayout r;
     r.entry_speed = next++, r.mass = next++, r.cg = next++, r.inertia = next++, r.wind = next++, r.clock = next++;
@@ -101,9 +101,9 @@ Eigen::VectorXd prior_deviation(const Layout& layout, const Case& data, const st
   deviation[layout.drag] = drag_deviation;
   deviation[layout.cg_height] = cg_height_deviation;
   for (std::size_t gear = 0; gear < layout.table_of_gear.size(); ++gear) {
-    const auto first = layout.table + static_cast<Eigen::Index>(18 * layout.table_of_gear[gear]);
-    for (Eigen::Index i = 0; i < 18; ++i)
-      deviation[first + i] = std::clamp(i < 9 ? data.drag_rms[gear] : data.vertical_rms[gear], 0.01, 0.08);
+    const auto first = layout.table + table_numbers * static_cast<Eigen::Index>(layout.table_of_gear[gear]);
+    for (Eigen::Index i = 0; i < table_numbers; ++i)
+      deviation[first + i] = std::clamp(i < 6 ? data.drag_rms[gear] : data.vertical_rms[gear], 0.01, 0.08);
   }
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const RunLayout& at = layout.runs[r];

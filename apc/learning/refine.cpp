@@ -73,6 +73,14 @@ double objective_of(const Background& b, const Eigen::VectorXd& eta, const std::
 
 }  // namespace
 
+std::size_t free_parameter_count(const Applied& applied) { return free_parameters({applied}).size(); }
+
+std::vector<double> parameter_deviations(const Applied& applied, const SetFit& fit, std::size_t column) {
+  std::vector<double> result(applied.values.size(), std::nan(""));
+  for (const Free& f : free_parameters({applied})) result[f.parameter] = fit.deviation(column++);
+  return result;
+}
+
 SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::vector<Applied>& start, int iterations) {
   SetFit fit;
   fit.effects = start;

@@ -24,6 +24,11 @@ struct NuisanceFactor {
   Eigen::LLT<Eigen::MatrixXd> factor;
 };
 
+/// How many parameters of an effect were free, and the deviations of all of its parameters (NaN when held) given the
+/// first free one's column in the covariance.
+std::size_t free_parameter_count(const effects::Applied&);
+std::vector<double> parameter_deviations(const effects::Applied&, const SetFit&, std::size_t column);
+
 SetFit refine(const Background&, const NuisanceFactor&, const std::vector<effects::Applied>& start, int iterations);
 
 }  // namespace apc::learning

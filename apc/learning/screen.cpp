@@ -69,7 +69,7 @@ class Collector {
       for (const double step : {steps[k], -steps[k]}) {
         added.back().values.front() = list[k].effect.parameters.front().neutral + step;
         try {
-          const Trace trace = simulate_run(*b_.data, b_.layout, r, b_.runs[r], b_.eta, added);
+          const Trace trace = simulate_run(*b_.data, b_.layout, r, b_.runs[r], b_.eta, added, b_.guides[r]);
           Eigen::MatrixXd column =
               (predict(b_.runs[r], b_.rows[r], trace, b_.layout.runs[r], b_.eta, b_.data->aircraft) - base[r]) / step;
           whiten_rows(b_, r, column);
