@@ -41,12 +41,6 @@ std::string framed(const std::string& title, const std::string& header, const st
   return out + "<script>document.body.dataset.ready='1'</script>\n</body></html>\n";
 }
 
-std::string card(const std::string& mood, const std::string& label, const std::string& value, const std::string& more) {
-  return fmt::format(
-      "<div class=\"card {}\"><span class=\"label\">{}</span><b>{}</b><span class=\"more\">{}</span></div>\n", mood,
-      label, value, more);
-}
-
 std::string table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows,
                   Cells cells) {
   const char* look = cells == Cells::numbers ? " class=\"n\"" : "";

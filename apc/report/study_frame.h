@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "apc/report/page_parts.h"
 #include "apc/report/record.h"
 
 namespace apc::report {
@@ -11,9 +12,6 @@ namespace apc::report {
 /// `header` stands above the switch (title, outcome), `body` below it; both HTML.
 std::string framed(const std::string& title, const std::string& header, const std::string& body,
                    const std::string& foot);
-
-/// A summary card: `mood` is "good", "warn", "bad" or "".
-std::string card(const std::string& mood, const std::string& label, const std::string& value, const std::string& more);
 
 /// A table of HTML cells in a box that scrolls sideways on a phone. Columns from the second on stand right when
 /// `numbers`.
