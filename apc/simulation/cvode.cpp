@@ -108,10 +108,11 @@ struct Cvode::Engine {
     }
     if (s) {
       check(CVodeSensInit1(memory, problem.parameters, CV_STAGGERED1, sensitivity, s), "start its sensitivities");
-      std::vector<double> scale(static_cast<std::size_t>(problem.parameters), 1.0);
+      auto scale = problem.parameter_scales;
+      scale.resize(static_cast<std::size_t>(problem.parameters), 1.0);
+      check(CVodeSetSensParams(memory, nullptr, scale.data(), nullptr), "start its sensitivities");
       check(CVodeSensEEtolerances(memory), "take its sensitivity tolerances");
       check(CVodeSetSensErrCon(memory, SUNTRUE), "start its sensitivities");
-      check(CVodeSetSensParams(memory, nullptr, scale.data(), nullptr), "start its sensitivities");
     }
   }
 

@@ -18,6 +18,7 @@ struct OdeProblem {
   int quadratures = 0;
   std::function<void(double t, const double* y, double* integrand)> integrand;
   int parameters = 0;
+  std::vector<double> parameter_scales;  ///< size of each parameter: a sensitivity's error is weighed as state / scale
   /// ds/dt = J s + ∂f/∂p of one parameter.
   std::function<void(double t, const double* y, int parameter, const double* s, double* dsdt)> sensitivity;
 };

@@ -5,6 +5,12 @@
 
 namespace apc::simulation {
 
+/// Everything below is inlined into one body per instruction set; the processor picks at load time. Contraction to
+/// fused multiply-adds is off, so that all of them give the same bits.
+#define APC_FOR_EVERY_PROCESSOR \
+  __attribute__((flatten, target_clones("arch=skylake-avx512", "arch=haswell", "default")))
+
+APC_FOR_EVERY_PROCESSOR
 void derivatives(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
                  Moment* moment) {
   motion<double>(plant, around, time, y, dydt, moment);
@@ -13,8 +19,8 @@ void derivatives(const Plant& plant, const Surroundings& around, double time, co
 namespace {
 
 template <int N>
-void jacobian_of(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
-                 double* matrix) {
+inline void jacobian_of(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+                        double* matrix) {
   const int states = plant.states();
   Dual<N> state[N], rate[N];
   for (int i = 0; i < N; ++i) state[i] = i < states ? Dual<N>::variable(y[i], i) : Dual<N>(0.0);
@@ -25,13 +31,25 @@ void jacobian_of(const Plant& plant, const Surroundings& around, double time, co
   }
 }
 
+APC_FOR_EVERY_PROCESSOR
+void jacobian_12(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+                 double* matrix) {
+  jacobian_of<12>(plant, around, time, y, dydt, matrix);
+}
+
+APC_FOR_EVERY_PROCESSOR
+void jacobian_24(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+                 double* matrix) {
+  jacobian_of<24>(plant, around, time, y, dydt, matrix);
+}
+
 }  // namespace
 
 void jacobian(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
               double* matrix) {
   const int states = plant.states();
-  if (states <= 12) return jacobian_of<12>(plant, around, time, y, dydt, matrix);
-  if (states <= 24) return jacobian_of<24>(plant, around, time, y, dydt, matrix);
+  if (states <= 12) return jacobian_12(plant, around, time, y, dydt, matrix);
+  if (states <= 24) return jacobian_24(plant, around, time, y, dydt, matrix);
   jacobian_of<most_states>(plant, around, time, y, dydt, matrix);
 }
 

@@ -22,6 +22,46 @@ Surroundings surroundings_at_entry(const Plant& plant) {
   return around;
 }
 
+void write_ruts(const Plant& plant, Surroundings& around, double t, const double* y) {
+  for (const auto& row : plant.rows) {
+    if (row.ahead < 0) continue;
+    const auto r = static_cast<std::size_t>(row.ahead);
+    if (!around.in_bed[r]) continue;
+    const auto place = row_place(plant, around, row.ahead, t, y);
+    if (place.bed_distance < -1.0) continue;
+    Rut rut;
+    if (place.contact.penetration > 0.0) {
+      const auto& ground = plant.groups[static_cast<std::size_t>(row.group)].ground;
+      const int further = plant.rows[r].ahead;
+      Rut ahead;
+      if (further >= 0) ahead = around.ruts[static_cast<std::size_t>(further)].at(place.bed_distance);
+      const auto load = ground_load(ground, place, further >= 0 ? &ahead : nullptr);
+      rut = {load.load.rut_depth, load.virgin_penetration, load.virgin_drag, load.virgin_vertical, 0.0};
+    }
+    around.ruts[r].write(place.bed_distance, rut);
+  }
+}
+
+double longest_way(const Plant& plant) {
+  double reach = 2.0;
+  for (const auto& row : plant.rows)
+    if (row.ahead >= 0)
+      reach = std::min(reach, 0.7 * (plant.rows[static_cast<std::size_t>(row.ahead)].offset - row.offset));
+  return reach;
+}
+
+std::vector<double> absolute_tolerances(const Plant& plant, double rtol) {
+  const double scale = rtol / 1e-6;
+  const int n = plant.degrees(), groups = static_cast<int>(plant.groups.size());
+  std::vector<double> absolute;
+  for (int i = 0; i < plant.states(); ++i) {
+    const int k = i < n ? i : i - n;
+    const bool angle = i < 2 * n && (k == 2 || k >= 3 + groups);
+    absolute.push_back(scale * (i >= 2 * n || i == 0 ? 1e-5 : angle ? 1e-7 : 1e-6));
+  }
+  return absolute;
+}
+
 double cg_speed(const Plant& plant, const double* y) {
   const double* rate = y + plant.degrees();
   return rate[0] - rate[2] * (plant.cg.x * std::sin(y[2]) + plant.cg.z * std::cos(y[2]));
@@ -41,8 +81,6 @@ double crossing(const Solver& solver, double t0, double t1, double* y, const Cro
   return t1;
 }
 
-constexpr double rut_spacing = 0.2;  ///< m between entries of a rut log, at most
-
 enum class Event { none, row, stop, far_end };
 
 template <class Solver>
@@ -57,13 +95,14 @@ class Course {
         rate_(y_.size()) {
     for (int r = 1; r < static_cast<int>(plant.rows.size()); ++r)
       if (!around.in_bed[static_cast<std::size_t>(r)]) waiting_.push_back(r);
+    for (const auto& row : plant.rows) any_follower_ = any_follower_ || row.ahead >= 0;
   }
 
   Ending run(const std::vector<double>& start, double time_limit) {
     y_ = start;
     solver_.start(0.0, y_);
     look(0.0);
-    write_ruts(0.0);
+    write_ruts(plant_, around_, 0.0, y_.data());
     if (observer_.interval() == 0.0) observer_.see(0.0, y_.data(), around_, moment_, 0.0);
     power_ = powers(plant_, around_, y_.data(), moment_);
     for (;;) {
@@ -121,32 +160,10 @@ class Course {
       for (int i = 1; i <= pieces; ++i) {
         const double t = before + (until - before) * i / pieces;
         solver_.state(t, y_.data());
-        write_ruts(t);
+        write_ruts(plant_, around_, t, y_.data());
       }
     }
     add_energy(before, until);
-  }
-
-  /// What the rows that are followed leave at the state in `y_`.
-  void write_ruts(double t) {
-    for (const auto& row : plant_.rows) {
-      if (row.ahead < 0) continue;
-      any_follower_ = true;
-      const auto r = static_cast<std::size_t>(row.ahead);
-      if (!around_.in_bed[r]) continue;
-      const auto place = row_place(plant_, around_, row.ahead, t, y_.data());
-      if (place.bed_distance < -1.0) continue;
-      Rut rut;
-      if (place.contact.penetration > 0.0) {
-        const auto& ground = plant_.groups[static_cast<std::size_t>(row.group)].ground;
-        const int further = plant_.rows[r].ahead;
-        Rut ahead;
-        if (further >= 0) ahead = around_.ruts[static_cast<std::size_t>(further)].at(place.bed_distance);
-        const auto load = ground_load(ground, place, further >= 0 ? &ahead : nullptr);
-        rut = {load.load.rut_depth, load.virgin_penetration, load.virgin_drag, load.virgin_vertical, 0.0};
-      }
-      around_.ruts[r].write(place.bed_distance, rut);
-    }
   }
 
   void add_energy(double before, double until) {
@@ -189,7 +206,7 @@ class Course {
       solver_.start(until, y_);
     }
     look(until);
-    write_ruts(until);
+    write_ruts(plant_, around_, until, y_.data());
     power_ = powers(plant_, around_, y_.data(), moment_);
   }
 
@@ -220,15 +237,6 @@ class Course {
   long looks_ = 0;
 };
 
-/// Longest way of one step: a trailing row must never outrun the ruts written so far, and no step may jump a ramp.
-double longest_way(const Plant& plant) {
-  double reach = 2.0;
-  for (const auto& row : plant.rows)
-    if (row.ahead >= 0)
-      reach = std::min(reach, 0.7 * (plant.rows[static_cast<std::size_t>(row.ahead)].offset - row.offset));
-  return reach;
-}
-
 }  // namespace
 
 Ending run_reference(const Plant& plant, const std::vector<double>& state, double rtol, double time_limit,
@@ -248,14 +256,7 @@ Ending run_reference(const Plant& plant, const std::vector<double>& state, doubl
     const auto now = powers(plant, around, y, moment);
     std::copy(now.begin(), now.end(), power);
   };
-  OdeTolerances tolerances{rtol, {}, longest_way(plant) / plant.entry_speed};
-  const double scale = rtol / 1e-6;
-  const int n = plant.degrees(), groups = static_cast<int>(plant.groups.size());
-  for (int i = 0; i < plant.states(); ++i) {
-    const int k = i < n ? i : i - n;
-    const bool angle = i < 2 * n && (k == 2 || k >= 3 + groups);
-    tolerances.absolute.push_back(scale * (i >= 2 * n || i == 0 ? 1e-5 : angle ? 1e-7 : 1e-6));
-  }
+  OdeTolerances tolerances{rtol, absolute_tolerances(plant, rtol), longest_way(plant) / plant.entry_speed};
   Cvode solver(std::move(problem), std::move(tolerances));
   return Course<Cvode>(plant, around, solver, observer).run(state, time_limit);
 }

@@ -6,12 +6,10 @@
 namespace apc::simulation {
 namespace {
 
-/// Fritsch–Butland slope at the middle of three points.
+/// Slope at the middle of three points, by the parabola through them.
 double slope(double before, double after, double x0, double x1, double x2) {
-  if (before * after <= 0.0) return 0.0;
   const double h0 = x1 - x0, h1 = x2 - x1;
-  const double a = 2.0 * h1 + h0, b = h1 + 2.0 * h0;
-  return (a + b) / (a / before + b / after);
+  return (before * h1 + after * h0) / (h0 + h1);
 }
 
 }  // namespace

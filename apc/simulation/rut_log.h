@@ -14,7 +14,8 @@ struct Rut {
   double depth_slope = 0.0;           ///< d depth / d distance; only filled by reading
 };
 
-/// Monotone along the bed; between entries a C¹ cubic (slopes by three points, harmonic mean: no overshoot).
+/// Grows along the bed only; between entries a C¹ cubic whose slopes come from the parabola through three entries, so
+/// that a smooth track is read back without kinks a solver would notice.
 class RutLog {
  public:
   /// Ignored unless `distance` lies at least 1 mm beyond the last entry.

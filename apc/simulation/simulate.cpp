@@ -30,14 +30,14 @@ namespace {
 constexpr double fast_tolerance = 100.0;
 
 /// From the last computed state (`creep_speed`, drag faded by tanh) to rest at the unfaded deceleration. The factors
-/// undo what fading did before: ∫₁^∞ x (coth x − 1) dx = 0.21549, ∫₁^∞ (coth x − 1) dx = 0.14541.
+/// undo what fading did before: ∫₁^∞ x (coth x − 1) dx = 0.215520, ∫₁^∞ (coth x − 1) dx = 0.145413.
 struct Rest {
   double distance = 0.0, time = 0.0;
 };
 Rest come_to_rest(double deceleration) {
   const double unfaded = deceleration / std::tanh(1.0);
   if (!(unfaded > 0.0)) return {};
-  return {(0.5 - 0.2154936) * creep_speed * creep_speed / unfaded, (1.0 - 0.1454135) * creep_speed / unfaded};
+  return {(0.5 - 0.2155197) * creep_speed * creep_speed / unfaded, (1.0 - 0.1454135) * creep_speed / unfaded};
 }
 
 void fill_energy(const Plant& plant, const std::vector<double>& start, const Ending& end, Result& result) {
