@@ -1,0 +1,115 @@
+#include "sph_backend/tire_rig.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "apc/base/require.h"
+#include "cases.h"
+
+namespace apc::sph {
+namespace {
+
+using testing::quick_case;
+namespace fs = std::filesystem;
+
+const RollingResult& quick_result() {
+  static const RollingResult result = roll(quick_case());
+  return result;
+}
+
+TEST(Roll, SettlesWithAClosedEnergyAccount) {
+  const RollingResult& r = quick_result();
+  EXPECT_EQ(r.state, RunState::steady) << r.message;
+  EXPECT_LT(std::abs(r.residual), 0.02);
+  EXPECT_GT(r.drag, 0.0);
+  EXPECT_GT(r.vertical, r.drag);
+  EXPECT_GT(r.spin_ratio, 0.5);
+  EXPECT_LT(r.spin_ratio, 1.2);
+  EXPECT_NEAR(r.rut_depth + r.tire_deflection, quick_case().penetration, 1e-12);
+  EXPECT_LT(r.compaction, 0.95);
+  EXPECT_NEAR(r.partition_mean, 1.0, 0.15);
+  EXPECT_LT(r.bytes_per_particle, 2000.0);
+}
+
+TEST(Roll, InterruptedAndResumedGivesTheSameBits) {
+  const RollingResult& whole = quick_result();
+  const fs::path file = fs::temp_directory_path() / "apc_sph_checkpoint_test.h5";
+  fs::remove(file);
+  RollOptions first;
+  int asked = 0;
+  first.checkpoint = file;
+  first.stop = [&] { return ++asked == 12; };
+  EXPECT_THROW(roll(quick_case(), first), Interrupted);
+  ASSERT_TRUE(fs::exists(file));
+
+  RollingCase other = quick_case();
+  other.speed *= 1.1;
+  RollOptions again;
+  again.checkpoint = file;
+  EXPECT_THROW(roll(other, again), InputError);
+
+  const RollingResult resumed = roll(quick_case(), again);
+  EXPECT_EQ(resumed.drag, whole.drag);
+  EXPECT_EQ(resumed.vertical, whole.vertical);
+  EXPECT_EQ(resumed.energy.accounted(), whole.energy.accounted());
+  EXPECT_EQ(resumed.steps, whole.steps);
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(Roll, SameBitsOnTwoThreads) {
+  RollOptions two;
+  two.threads = 2;
+  const RollingResult b = roll(quick_case(), two);
+  EXPECT_EQ(quick_result().drag, b.drag);
+  EXPECT_EQ(quick_result().energy.accounted(), b.energy.accounted());
+}
+
+TEST(Roll, OverloadedTireIsNoLoad) {
+  RollingCase c = quick_case();
+  c.penetration = maximum_penetration(c.tire, c.bed_depth);
+  const RollingResult r = roll(c);
+  EXPECT_NE(r.state, RunState::steady);
+  EXPECT_FALSE(r.message.empty());
+}
+
+TEST(Roll, TooShortATravelDidNotSettle) {
+  RollingCase c = quick_case();
+  c.longest = 0.5 * c.tire.diameter;
+  const RollingResult r = roll(c);
+  EXPECT_EQ(r.state, RunState::did_not_settle);
+  EXPECT_NE(r.message.find("did not settle"), std::string::npos);
+  EXPECT_FALSE(r.history.drag.empty());
+}
+
+TEST(Roll, SnapshotsOpenAsASeries) {
+  const fs::path folder = fs::temp_directory_path() / "apc_sph_snapshots_test";
+  fs::remove_all(folder);
+  RollingCase c = quick_case();
+  c.longest = 0.3 * c.tire.diameter;
+  RollOptions options;
+  options.snapshots = folder;
+  roll(c, options);
+  std::ifstream series(folder / "run.pvd");
+  const std::string text((std::istreambuf_iterator<char>(series)), {});
+  EXPECT_NE(text.find("particles_0000.vtu"), std::string::npos);
+  EXPECT_NE(text.find("tire_0001.vtu"), std::string::npos);
+  EXPECT_GT(fs::file_size(folder / "particles_0001.vtu"), 1000u);
+  fs::remove_all(folder);
+}
+
+TEST(Roll, SenselessCasesAreRefused) {
+  RollingCase c = quick_case();
+  c.bed_depth = 3.0 * c.spacing;
+  EXPECT_THROW(roll(c), InputError);
+  c = quick_case();
+  c.penetration = 2.0 * c.tire.diameter;
+  EXPECT_THROW(roll(c), InputError);
+  c = quick_case();
+  c.speed = 0.0;
+  EXPECT_THROW(roll(c), InputError);
+}
+
+}  // namespace
+}  // namespace apc::sph
