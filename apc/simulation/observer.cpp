@@ -1,5 +1,7 @@
 #include "apc/simulation/observer.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -186,8 +188,8 @@ void Observer::finish(Result& result) const {
     result.coverage.push_back(coverage);
     if (watch.ultimate_at >= 0.0) {
       if (result.outcome != Outcome::gear_limit)
-        result.message = concat(gear.name, " gear: drag passed its ultimate load ", std::lround(watch.ultimate_at),
-                                " m into the bed; ", result.message);
+        result.message = fmt::format("{} gear: drag passed its ultimate load {:.1f} m ({:.0f} ft) into the bed; {}",
+                                     gear.name, watch.ultimate_at, watch.ultimate_at / units::ft, result.message);
       result.outcome = Outcome::gear_limit;
     }
     if (summary.bottomed) result.warnings.push_back(concat("the ", gear.name, " strut reached its stop"));

@@ -1,5 +1,7 @@
 #include "apc/simulation/simulate.h"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -64,13 +66,15 @@ void fill_ending(const Plant& plant, const Ending& end, Result& result) {
     result.stop_distance = result.runway_distance = std::numeric_limits<double>::quiet_NaN();
     result.exit_speed = cg_speed(plant, end.state.data());
     result.message =
-        concat("left the bed's far end, ", distance, " m from its leading edge, at ", result.exit_speed, " m/s");
+        fmt::format("left the bed's far end, {:.1f} m ({:.0f} ft) from its leading edge, at {:.1f} m/s ({:.0f} kt)",
+                    distance, distance / units::ft, result.exit_speed, result.exit_speed / units::kt);
   } else {
     const auto rest = come_to_rest(-end.acceleration);
     length = result.stop_distance = distance + rest.distance;
     result.runway_distance = result.stop_distance + plant.setback;
     result.stop_time += rest.time;
-    result.message = concat("stopped ", result.stop_distance, " m into the bed");
+    result.message = fmt::format("stopped {:.1f} m ({:.0f} ft) into the bed", result.stop_distance,
+                                 result.stop_distance / units::ft);
   }
   result.mean_deceleration =
       (plant.entry_speed * plant.entry_speed - result.exit_speed * result.exit_speed) / (2.0 * std::max(length, 1e-9));
