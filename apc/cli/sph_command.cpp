@@ -9,6 +9,7 @@
 #include "apc/cli/commands.h"
 #include "apc/cli/inputs.h"
 #include "apc/cli/sph_deck.h"
+#include "apc/cli/sph_studies.h"
 #include "apc/report/rolling_record.h"
 
 namespace apc::cli {
@@ -140,6 +141,7 @@ void add_sph(CLI::App& program, Settings& settings) {
   auto* sph = program.add_subcommand("sph", "the particle back end: runs, published cases, convergence, throughput");
   sph->require_subcommand(1);
   add_run(*sph, settings);
+  add_sph_studies(*sph, settings);
 }
 
 }  // namespace apc::cli

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds, BadDeck,
     testing::Values(Slip{"UnknownTire", "H44.5x16.5-21", "H44.5x16.5-22", {"/tire", "H44.5x16.5-21"}},
                     Slip{"UnknownMaterial", "foam_50psi", "foam_51psi", {"foam_51psi", "foam_50psi"}},
-                    Slip{"TooDeep", "\"6 in\"", "\"30 in\"", {"/penetration", "30 in", "largest"}},
+                    Slip{"TooDeep", "\"6 in\"", "\"30 in\"", {"/penetration", "30 in", "can sink"}},
                     Slip{"SpacingOfATire", "\"3 in\"", "\"30 in\"", {"/spacing", "30 in"}},
                     Slip{"BareNumber", "\"70 kt\"", "70", {"/speed", "no unit"}},
                     Slip{"MisspeltKey", "\"spacing\"", "\"spaceing\"", {"/spaceing", "spacing"}}),

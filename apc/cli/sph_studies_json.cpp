@@ -1,0 +1,72 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apc/cli/sph_studies.h"
+
+namespace apc::cli {
+namespace {
+
+using Value = nlohmann::ordered_json;
+
+Value number_or_null(double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); }
+
+Value run_json(const sph::Verification& run) {
+  Value out{
+      {"case", sph::name_of(run.study)}, {"spacing", run.spacing}, {"symmetry", run.symmetry}, {"state", run.state}};
+  for (const auto& each : run.quantities) {
+    out[each.name] = number_or_null(each.value);
+    out["reference"][each.name] = number_or_null(each.reference);
+    out["reference_fem"][each.name] = number_or_null(each.reference_fem);
+    out["difference"][each.name] = number_or_null(each.difference());
+  }
+  const std::vector<std::pair<const char*, double>> numbers{{"energy_residual", run.energy_residual},
+                                                            {"viscous_share", run.viscous_share},
+                                                            {"spin_ratio", run.spin_ratio},
+                                                            {"rut_depth", run.rut_depth},
+                                                            {"compaction", run.compaction},
+                                                            {"partition", run.partition},
+                                                            {"particles", run.particles},
+                                                            {"steps", run.steps},
+                                                            {"particle_steps_per_s", run.particle_steps_per_s},
+                                                            {"wall_s", run.wall_s}};
+  for (const auto& [key, value] : numbers) out[key] = number_or_null(value);
+  return out;
+}
+
+std::string text_of(const Value& value) { return value.dump(1, ' ', false, Value::error_handler_t::replace) + "\n"; }
+
+}  // namespace
+
+std::string verification_json(const sph::Verification& run) {
+  Value out{{"schema", "apc-sph-verification/1"}};
+  out.update(run_json(run));
+  return text_of(out);
+}
+
+std::string convergence_json(const sph::Convergence& study) {
+  Value out{{"schema", "apc-sph-convergence/1"}, {"case", sph::name_of(study.study)}, {"sizes", study.sizes}};
+  for (const auto& each : study.quantities) {
+    const auto& name = each.finest.name;
+    out["values"][name] = each.values;
+    out["order"][name] = each.fit.valid ? number_or_null(each.fit.order) : Value(nullptr);
+    out["extrapolated"][name] = number_or_null(each.fit.extrapolated);
+    out["r2"][name] = each.fit.valid ? number_or_null(each.fit.r2) : Value(nullptr);
+    out["gci"][name] = each.gci.valid ? number_or_null(each.gci.index) : Value(nullptr);
+    out["reference"][name] = number_or_null(each.finest.reference);
+  }
+  for (const auto& run : study.runs) out["runs"].push_back(run_json(run));
+  return text_of(out);
+}
+
+std::string bench_json(const std::vector<BenchRow>& rows) {
+  Value out{{"schema", "apc-sph-bench/1"}, {"rows", Value::array()}};
+  for (const auto& row : rows)
+    out["rows"].push_back({{"threads", row.threads},
+                           {"particles", row.particles},
+                           {"particle_steps", row.particle_steps},
+                           {"particle_steps_per_s", row.particle_steps_per_s},
+                           {"wall_s", row.wall_s}});
+  return text_of(out);
+}
+
+}  // namespace apc::cli
