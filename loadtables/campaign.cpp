@@ -84,7 +84,11 @@ class Ledger {
 
 }  // namespace
 
-double estimated_work(const PlannedRun& run) { return (0.1 + run.contact.bed_depth) / run.contact.speed; }
+double estimated_work(const PlannedRun& run) {
+  // Particles per length of travel times steps per length of travel; thin beds are resolved by five particles.
+  const double spacing = std::min(0.04, run.contact.bed_depth / 5.0);
+  return (0.1 + run.contact.bed_depth) / (std::pow(spacing, 4) * run.contact.speed);
+}
 
 int run_campaign(const fs::path& folder, const CampaignSettings& settings,
                  const std::function<RunOutcome(const PlannedRun&)>& make, const CampaignOptions& options) {

@@ -25,17 +25,16 @@ void look_along_penetration(const LoadTable& table, double speed, double depth, 
     ++check.points;
     check.least_drag = std::min(check.least_drag, found.load.drag);
     check.least_vertical = std::min(check.least_vertical, found.load.vertical);
-    if (found.vertical.penetration < 0.0) check.falling_share += 1.0;
-    if (-found.vertical.penetration > check.steepest_fall) {
-      check.steepest_fall = -found.vertical.penetration;
-      check.steepest_at = at;
-    }
     highest = std::max(highest, found.load.vertical);
     const double fall = highest > 0.0 ? 1.0 - found.load.vertical / highest : 0.0;
-    if (fall > check.largest_fall) {
-      check.largest_fall = fall;
-      check.largest_fall_at = at;
+    if (at.penetration > 0.5 * table.tire().diameter) {
+      if (fall > check.largest_fall_beyond) check.largest_fall_beyond = fall, check.largest_fall_beyond_at = at;
+      continue;
     }
+    if (found.vertical.penetration < 0.0) check.falling_share += 1.0;
+    if (-found.vertical.penetration > check.steepest_fall)
+      check.steepest_fall = -found.vertical.penetration, check.steepest_at = at;
+    if (fall > check.largest_fall) check.largest_fall = fall, check.largest_fall_at = at;
   }
 }
 

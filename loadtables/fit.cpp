@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "apc/base/require.h"
@@ -97,6 +98,13 @@ double level_vertical(double* line, std::size_t count) {
   return change;
 }
 
+/// Nodes along r, at one node of the depth axis, where the tire is in no deeper than its axle.
+std::size_t carried_nodes(const LoadTable::Data& data, int depth_node) {
+  const double largest = data.penetration.at(DepthScale::depth(data.depth.node(depth_node)));
+  const double nodes = std::floor(0.5 * data.tire.diameter / largest / data.ratio.step) + 1.0;
+  return static_cast<std::size_t>(std::min(nodes, static_cast<double>(data.ratio.nodes)));
+}
+
 void resample(const Metamodel& model, LoadTable::Data& data) {
   const auto speeds = static_cast<std::size_t>(data.speed.nodes), depths = static_cast<std::size_t>(data.depth.nodes),
              ratios = static_cast<std::size_t>(data.ratio.nodes);
@@ -115,7 +123,8 @@ void resample(const Metamodel& model, LoadTable::Data& data) {
       }
   for (std::size_t line = 0; line < speeds * depths; ++line)
     data.growth_correction =
-        std::max(data.growth_correction, level_vertical(values.data() + line * ratios * responses, ratios));
+        std::max(data.growth_correction, level_vertical(values.data() + line * ratios * responses,
+                                                        carried_nodes(data, static_cast<int>(line % depths))));
   values = along(interpolation(data.ratio, LowerEnd::rest), values, speeds * depths, responses);
   const auto ratio_count = static_cast<std::size_t>(data.ratio.coefficients());
   values = along(interpolation(data.depth, LowerEnd::linear), values, speeds, ratio_count * responses);
@@ -131,7 +140,8 @@ double response(const TireLoad& load, std::size_t m) {
 }
 
 std::vector<FitQuality> quality(const LoadTable& table, const SampleSet& set, const std::vector<Sample>& samples,
-                                const std::array<double, responses>& leave_one_out) {
+                                const std::array<double, responses>& leave_one_out,
+                                const std::array<double, responses>& to_axle) {
   std::vector<FitQuality> list;
   for (std::size_t m = 0; m < responses; ++m) {
     if ((m == rut_depth && !set.has_rut) || (m == slip && !set.has_spin)) continue;
@@ -147,7 +157,7 @@ std::vector<FitQuality> quality(const LoadTable& table, const SampleSet& set, co
       residual += error * error, spread += deviation * deviation;
     }
     list.push_back({names[m], static_cast<int>(samples.size()), std::sqrt(residual / count) / mean_absolute,
-                    leave_one_out[m], spread > 0.0 ? 1.0 - residual / spread : 1.0});
+                    leave_one_out[m], spread > 0.0 ? 1.0 - residual / spread : 1.0, to_axle[m]});
   }
   return list;
 }
@@ -172,7 +182,9 @@ LoadTable fit(const SampleSet& set, const TableTire& tire, const Provenance& pro
   data->ratio = axis(0.0, largest_ratio, options.ratio_nodes);
   resample(model, *data);
   const LoadTable draft(data);
-  data->quality = quality(draft, set, samples, leave_one_out_errors(model, samples));
+  data->quality =
+      quality(draft, set, samples, leave_one_out_errors(model, samples, std::numeric_limits<double>::infinity()),
+              leave_one_out_errors(model, samples, 0.5 * tire.diameter));
   return LoadTable(data);
 }
 

@@ -39,6 +39,7 @@ struct FitQuality {
   std::string response;  ///< "drag", "vertical", "rut_depth", "spin_ratio"
   int points = 0;
   double rms_relative = 0.0, loo_rms_relative = 0.0, r2 = 0.0;  ///< loo = leave one out
+  double loo_rms_to_axle = 0.0;  ///< of the samples with penetrations up to the tire's radius, where tires ride
 };
 
 /// The tire a table belongs to, as numbers (SI): enough to evaluate P_max and the pavement row.

@@ -107,6 +107,7 @@ void write_quality(Hdf5Writer& file, const std::vector<FitQuality>& list) {
     file.attribute(group, "rms_relative", each.rms_relative);
     file.attribute(group, "loo_rms_relative", each.loo_rms_relative);
     file.attribute(group, "r2", each.r2);
+    file.attribute(group, "loo_rms_to_axle", each.loo_rms_to_axle);
   }
 }
 
@@ -116,7 +117,8 @@ std::vector<FitQuality> read_quality(const Hdf5Reader& file) {
     const auto group = "quality/" + name;
     if (!file.has(group)) continue;
     list.push_back({name, static_cast<int>(file.number(group, "points")), file.number(group, "rms_relative"),
-                    file.number(group, "loo_rms_relative"), file.number(group, "r2")});
+                    file.number(group, "loo_rms_relative"), file.number(group, "r2"),
+                    file.number(group, "loo_rms_to_axle")});
   }
   return list;
 }

@@ -46,6 +46,13 @@ std::array<double, responses> floors(const std::vector<Sample>& samples) {
   return largest;
 }
 
+/// Beyond the axle's height a wheel ploughs and its loads scatter: such samples are followed less closely, so that they
+/// do not roughen the fit where tires ride.
+double trust_in(const TireContact& contact, double radius) {
+  const double beyond = std::max(contact.penetration / radius - 1.0, 0.0) / 0.25;
+  return 1.0 / (1.0 + beyond * beyond);
+}
+
 std::array<double, 2> widened(std::array<double, 2> range, double value) {
   return {std::min(range[0], value), std::max(range[1], value)};
 }
@@ -99,9 +106,11 @@ Metamodel learn(const std::vector<Sample>& samples, const TableTire& tire, doubl
 
   const auto count = static_cast<Eigen::Index>(samples.size());
   const auto floor = floors(samples);
+  Eigen::VectorXd trust(count);
   Eigen::MatrixXd inputs(count, 3), values(count, static_cast<Eigen::Index>(responses));
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& [contact, load] = samples[static_cast<std::size_t>(i)];
+    trust(i) = trust_in(contact, 0.5 * tire.diameter);
     inputs.row(i) = input(model, contact.speed, contact.bed_depth, relative(contact));
     const auto reference = as_responses(model.balance.load(contact)), sampled = as_responses(load);
     for (std::size_t m = drag; m <= rut_depth; ++m)
@@ -109,15 +118,18 @@ Metamodel learn(const std::vector<Sample>& samples, const TableTire& tire, doubl
           std::log(std::max(sampled[m], floor[m]) / std::max(reference[m], floor[m]));
     values(i, static_cast<Eigen::Index>(slip)) = sampled[slip] - reference[slip];
   }
-  model.ratio = fit_radial_basis(inputs, values);
+  model.ratio = fit_radial_basis(inputs, values, trust);
   return model;
 }
 
-std::array<double, responses> leave_one_out_errors(const Metamodel& model, const std::vector<Sample>& samples) {
+std::array<double, responses> leave_one_out_errors(const Metamodel& model, const std::vector<Sample>& samples,
+                                                   double deepest) {
   std::array<double, responses> squares{}, means{};
-  const double count = static_cast<double>(samples.size());
+  double count = 0.0;
+  for (const auto& sample : samples) count += sample.contact.penetration <= deepest;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const auto& [contact, load] = samples[i];
+    if (contact.penetration > deepest) continue;
     const auto sampled = as_responses(load);
     for (std::size_t m = 0; m < responses; ++m) {
       const double residual = model.ratio[m].leave_one_out()(static_cast<Eigen::Index>(i));

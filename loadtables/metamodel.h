@@ -30,7 +30,8 @@ std::vector<Sample> usable(const SampleSet&);
 
 Metamodel learn(const std::vector<Sample>&, const TableTire&, double strength, double rolling_resistance);
 
-/// Relative errors of leaving each sample out, rms over samples, divided by the mean response.
-std::array<double, responses> leave_one_out_errors(const Metamodel&, const std::vector<Sample>&);
+/// Relative errors of leaving each sample out, rms over the samples with at most this penetration (m), divided by their
+/// mean response.
+std::array<double, responses> leave_one_out_errors(const Metamodel&, const std::vector<Sample>&, double deepest);
 
 }  // namespace apc::loadtables

@@ -36,7 +36,7 @@ struct Plan {
   std::string material;
   TableTire tire;
   PlanOptions options;
-  std::vector<PlannedRun> runs;
+  std::vector<PlannedRun> runs;  ///< options.runs of the design, and any that were added later
 };
 
 /// InputError for ranges that make no box or too few runs. The same seed gives the same plan everywhere.

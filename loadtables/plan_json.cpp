@@ -41,7 +41,8 @@ void write_plan(const Plan& plan, const std::filesystem::path& folder) {
                   {"curve",
                    {{"deflection", {{"unit", "m"}, {"values", tire.curve_deflection}}},
                     {"load", {{"unit", "N"}, {"values", tire.curve_load}}}}}};
-  json["design"] = {{"seed", options.seed},
+  json["design"] = {{"runs", options.runs},
+                    {"seed", options.seed},
                     {"speed", range(options.speed, "m/s")},
                     {"bed_depth", range(options.bed_depth, "m")},
                     {"relative_penetration", {options.relative_penetration[0], options.relative_penetration[1]}},
@@ -97,7 +98,7 @@ Plan read_plan(const std::filesystem::path& folder) {
     each.check(run.id == static_cast<int>(plan.runs.size()) + 1, "id", "is out of order. Runs count from 1");
     plan.runs.push_back(run);
   }
-  plan.options.runs = static_cast<int>(plan.runs.size());
+  plan.options.runs = design.integer("runs", static_cast<int>(plan.runs.size()));
   json.check(!plan.runs.empty(), "runs", "is empty");
   json.finish();
   return plan;

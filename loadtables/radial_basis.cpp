@@ -42,14 +42,15 @@ Eigen::MatrixXd tail_columns(const Eigen::MatrixXd& inputs) {
   return tail;
 }
 
-Eigen::MatrixXd inverse_system(const Eigen::MatrixXd& centres, const RadialBasisShape& shape) {
+Eigen::MatrixXd inverse_system(const Eigen::MatrixXd& centres, const Eigen::VectorXd& trust,
+                               const RadialBasisShape& shape) {
   const auto tail = tail_columns(centres);
   const Eigen::Index count = centres.rows(), extra = tail.cols();
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(count + extra, count + extra);
   for (Eigen::Index i = 0; i < count; ++i)
     for (Eigen::Index j = 0; j <= i; ++j)
       system(i, j) = system(j, i) = kernel_value(shape, (centres.row(i) - centres.row(j)).squaredNorm());
-  system.topLeftCorner(count, count).diagonal().array() += shape.regularisation;
+  system.topLeftCorner(count, count).diagonal().array() += shape.regularisation / trust.array();
   system.topRightCorner(count, extra) = tail;
   system.bottomLeftCorner(extra, count) = tail.transpose();
   return system.partialPivLu().inverse();
@@ -81,14 +82,15 @@ std::vector<std::vector<Eigen::Index>> layers(const Eigen::MatrixXd& inputs) {
 /// two kept: a grid's layers hide ripples between them from plain leave-one-out, whose neighbours lie in the same
 /// layer.
 Eigen::VectorXd left_out_errors(const Eigen::MatrixXd& inverse, const Eigen::MatrixXd& values,
-                                const std::vector<std::vector<Eigen::Index>>& groups) {
+                                const Eigen::VectorXd& trust, const std::vector<std::vector<Eigen::Index>>& groups) {
   const Eigen::Index count = values.rows();
   const Eigen::MatrixXd coefficients = inverse.topLeftCorner(count, count) * values;
-  Eigen::VectorXd squares = leave_one_out_of(inverse, values).colwise().squaredNorm().transpose();
+  Eigen::VectorXd squares =
+      (leave_one_out_of(inverse, values).array().square().colwise() * trust.array()).colwise().sum().transpose();
   for (std::size_t g = 1; g + 1 < groups.size(); ++g) {
     const Eigen::MatrixXd block = inverse(groups[g], groups[g]);
     const Eigen::MatrixXd residual = block.partialPivLu().solve(coefficients(groups[g], Eigen::all));
-    squares += residual.colwise().squaredNorm().transpose();
+    squares += (residual.array().square().colwise() * trust(groups[g]).array()).colwise().sum().matrix().transpose();
   }
   return squares / static_cast<double>(count);
 }
@@ -124,9 +126,10 @@ const char* text(Kernel kernel) {
   return "";
 }
 
-RadialBasis::RadialBasis(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& values, const RadialBasisShape& shape)
+RadialBasis::RadialBasis(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& values, const Eigen::VectorXd& trust,
+                         const RadialBasisShape& shape)
     : shape_(shape), centres_(weighted(inputs, shape.first_weight)) {
-  const auto inverse = inverse_system(centres_, shape_);
+  const auto inverse = inverse_system(centres_, trust, shape_);
   const Eigen::Index count = values.size();
   leave_one_out_ = leave_one_out_of(inverse, values);
   coefficients_ = inverse.topLeftCorner(count, count) * values;
@@ -146,20 +149,23 @@ double RadialBasis::operator()(const Eigen::RowVectorXd& input) const {
   return sum;
 }
 
-std::vector<RadialBasis> fit_radial_basis(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& values) {
+std::vector<RadialBasis> fit_radial_basis(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& values,
+                                          const Eigen::VectorXd& trust) {
   constexpr Eigen::Index most = 150;
   const Eigen::Index stride = (inputs.rows() + most - 1) / most, used = (inputs.rows() + stride - 1) / stride;
   Eigen::MatrixXd search_inputs(used, inputs.cols()), search_values(used, values.cols());
+  Eigen::VectorXd search_trust(used);
   for (Eigen::Index i = 0; i < used; ++i) {
     search_inputs.row(i) = inputs.row(i * stride);
     search_values.row(i) = values.row(i * stride);
+    search_trust(i) = trust(i * stride);
   }
   const auto groups = layers(search_inputs);
   std::vector<RadialBasisShape> best(static_cast<std::size_t>(values.cols()));
   std::vector<double> least(best.size(), std::numeric_limits<double>::infinity());
   for (const auto& candidate : candidates()) {
-    const auto inverse = inverse_system(weighted(search_inputs, candidate.first_weight), candidate);
-    const auto errors = left_out_errors(inverse, search_values, groups);
+    const auto inverse = inverse_system(weighted(search_inputs, candidate.first_weight), search_trust, candidate);
+    const auto errors = left_out_errors(inverse, search_values, search_trust, groups);
     for (std::size_t k = 0; k < best.size(); ++k) {
       const double error = errors(static_cast<Eigen::Index>(k));
       if (error < least[k]) least[k] = error, best[k] = candidate;
@@ -167,7 +173,7 @@ std::vector<RadialBasis> fit_radial_basis(const Eigen::MatrixXd& inputs, const E
   }
   std::vector<RadialBasis> models;
   for (std::size_t k = 0; k < best.size(); ++k)
-    models.emplace_back(inputs, values.col(static_cast<Eigen::Index>(k)), best[k]);
+    models.emplace_back(inputs, values.col(static_cast<Eigen::Index>(k)), trust, best[k]);
   return models;
 }
 

@@ -24,8 +24,10 @@ struct RadialBasisShape {
 
 class RadialBasis {
  public:
-  /// `inputs` N × d in [0, 1], `values` N. Columns of `inputs` that do not vary carry no tail.
-  RadialBasis(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& values, const RadialBasisShape&);
+  /// `inputs` N × d in [0, 1], `values` N, `trust` N in (0, 1]: sample i is regularised by λ/trust_i. Columns of
+  /// `inputs` that do not vary carry no tail.
+  RadialBasis(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& values, const Eigen::VectorXd& trust,
+              const RadialBasisShape&);
   double operator()(const Eigen::RowVectorXd& input) const;
   const RadialBasisShape& shape() const { return shape_; }
   /// y_i − ŷ₋ᵢ(x_i) for every sample.
@@ -37,7 +39,9 @@ class RadialBasis {
   Eigen::VectorXd coefficients_, tail_, leave_one_out_;
 };
 
-/// One model per column of `values`, each with its own best shape. Above 150 samples the shape is searched on a subset.
-std::vector<RadialBasis> fit_radial_basis(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& values);
+/// One model per column of `values`, each with its own best shape; errors count by the trust in their sample. Above 150
+/// samples the shape is searched on a subset.
+std::vector<RadialBasis> fit_radial_basis(const Eigen::MatrixXd& inputs, const Eigen::MatrixXd& values,
+                                          const Eigen::VectorXd& trust);
 
 }  // namespace apc::loadtables

@@ -28,6 +28,7 @@ std::string table_record(const loadtables::LoadTable& table, const loadtables::T
     json["responses"][each.response] = {{"points", each.points},
                                         {"rms_relative", each.rms_relative},
                                         {"loo_rms_relative", each.loo_rms_relative},
+                                        {"loo_rms_to_axle", each.loo_rms_to_axle},
                                         {"r2", each.r2}};
   const auto range = [](const std::array<double, 2>& values) { return Value{values[0], values[1]}; };
   json["range"] = {{"speed", range(table.speed_range())},
@@ -39,6 +40,8 @@ std::string table_record(const loadtables::LoadTable& table, const loadtables::T
                    {"falling_share", check.falling_share},
                    {"largest_fall", check.largest_fall},
                    {"largest_fall_at", contact_json(check.largest_fall_at)},
+                   {"largest_fall_beyond_axle", check.largest_fall_beyond},
+                   {"largest_fall_beyond_axle_at", contact_json(check.largest_fall_beyond_at)},
                    {"worst_drag", check.worst_drag},
                    {"worst_vertical", check.worst_vertical},
                    {"growth_correction", table.data().growth_correction},

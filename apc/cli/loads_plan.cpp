@@ -10,6 +10,7 @@
 #include "apc/base/require.h"
 #include "apc/base/units.h"
 #include "apc/cli/loads_commands.h"
+#include "loadtables/infill.h"
 
 namespace apc::cli {
 namespace fs = std::filesystem;
@@ -55,12 +56,14 @@ namespace {
 struct PlanWords {
   std::string tire, material;
   fs::path tires, out;
-  int runs = 60, seed = 1;
+  int runs = 60, seed = 1, add = 0;
   std::vector<std::string> speeds, depths;
   std::vector<double> penetrations;
 };
 
 void plan(const PlanWords& words, const Settings& settings) {
+  require(!words.tire.empty() && !words.material.empty(),
+          "a new plan needs --tire and --material, such as --tire H44.5x16.5-21 --material foam_50psi");
   loadtables::PlanOptions options;
   options.runs = words.runs;
   require(words.seed >= 0, "--seed: ", words.seed, " is negative");
@@ -84,13 +87,26 @@ void plan(const PlanWords& words, const Settings& settings) {
       100.0 * options.relative_penetration[1], words.out.string());
 }
 
+/// Appends runs to a campaign that has some, where they teach most.
+void extend(const PlanWords& words, const Settings& settings) {
+  auto made = loadtables::read_plan(words.out);
+  const auto further = loadtables::further_runs(made, loadtables::campaign_status(words.out), words.add);
+  made.runs.insert(made.runs.end(), further.begin(), further.end());
+  write_plan(made, words.out);
+  if (settings.quiet) return;
+  for (const auto& run : further)
+    fmt::print("run {}: {:.0f} kt, bed {:.0f} in, {:.0f} % of the largest penetration\n", run.id,
+               run.contact.speed / units::kt, run.contact.bed_depth / units::in, 100.0 * run.relative_penetration);
+  fmt::print("Next: apc loads run {}\n", words.out.string());
+}
+
 }  // namespace
 
 void add_loads_plan(CLI::App& loads, Settings& settings) {
   auto* command = loads.add_subcommand("plan", "lays out the runs of a campaign in a new folder");
   const auto words = std::make_shared<PlanWords>();
-  command->add_option("--tire", words->tire, "tire by name")->required();
-  command->add_option("--material", words->material, "bed material by name, such as foam_50psi")->required();
+  command->add_option("--tire", words->tire, "tire by name");
+  command->add_option("--material", words->material, "bed material by name, such as foam_50psi");
   command->add_option("--runs", words->runs, "number of runs, corners of the box included")->capture_default_str();
   command->add_option("--seed", words->seed, "of the sample plan")->capture_default_str();
   command->add_option("--tires", words->tires, "tire library (JSON); default: the shipped one");
@@ -98,9 +114,10 @@ void add_loads_plan(CLI::App& loads, Settings& settings) {
   command->add_option("--depths", words->depths, R"(thinnest and deepest bed, default "3 in" "36 in")")->expected(2);
   command->add_option("--penetrations", words->penetrations, "relative to the largest one, default 0.1 1.0")
       ->expected(2);
+  command->add_option("--add", words->add, "adds this many runs to a campaign, where its errors are largest");
   command->add_option("-o,--out", words->out, "folder of the campaign")->required();
   add_common_options(*command, settings);
-  command->callback([words, &settings] { plan(*words, settings); });
+  command->callback([words, &settings] { words->add > 0 ? extend(*words, settings) : plan(*words, settings); });
 }
 
 void add_loads_status(CLI::App& loads, Settings& settings) {

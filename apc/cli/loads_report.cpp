@@ -24,17 +24,20 @@ std::string table_report(const loadtables::LoadTable& table, const loadtables::T
   text += fmt::format("  source     {}\n", from.source);
   if (from.refused > 0) text += fmt::format("  runs       {}, {} of them refused\n", from.runs, from.refused);
   if (!from.command.empty()) text += fmt::format("  command    {}\n", from.command);
-  TextTable errors{{"response", "points", "rms %", "left out %", "R2"}, {}};
+  TextTable errors{{"response", "points", "rms %", "left out %", "to axle %", "R2"}, {}};
   for (const auto& each : table.quality())
     errors.rows.push_back({each.response, fmt::format("{}", each.points),
                            fmt::format("{:.2f}", 100.0 * each.rms_relative),
-                           fmt::format("{:.2f}", 100.0 * each.loo_rms_relative), fmt::format("{:.4f}", each.r2)});
+                           fmt::format("{:.2f}", 100.0 * each.loo_rms_relative),
+                           fmt::format("{:.2f}", 100.0 * each.loo_rms_to_axle), fmt::format("{:.4f}", each.r2)});
   text += aligned(errors);
   if (table.data().growth_correction > 0.0005)
     text += fmt::format("  ripples of up to {:.1f} % of the largest vertical load were levelled\n",
                         100.0 * table.data().growth_correction);
-  text += fmt::format("  vertical load falls with penetration by at most {:.1f} %, at {:.2f} % of {} points\n",
-                      100.0 * check.largest_fall, 100.0 * check.falling_share, check.points);
+  text += fmt::format(
+      "  vertical load falls with penetration by at most {:.1f} % (at {:.2f} % of {} points); deeper than the axle by "
+      "{:.1f} %\n",
+      100.0 * check.largest_fall, 100.0 * check.falling_share, check.points, 100.0 * check.largest_fall_beyond);
   for (const auto& failure : check.failures) text += fmt::format("  bad: {}\n", failure);
   return text;
 }

@@ -36,11 +36,13 @@ void fit_campaign(const Words& words, const Settings& settings) {
   loadtables::Provenance from;
   from.material = samples.set.material;
   from.source = samples.set.source;
+  const auto added = plan.runs.size() - static_cast<std::size_t>(plan.options.runs);
   from.command = fmt::format(
       "apc loads plan --tire {0} --material {1} --runs {2} --seed {3} -o DIR && apc loads run DIR --spacing \"{4:g} "
       "mm\" "
-      "--friction {5:g} && apc loads fit DIR -o {0}_{1}.h5",
-      plan.tire.name, plan.material, plan.runs.size(), plan.options.seed, 1e3 * made->spacing, made->friction);
+      "--friction {5:g}{6} && apc loads fit DIR -o {0}_{1}.h5",
+      plan.tire.name, plan.material, plan.options.runs, plan.options.seed, 1e3 * made->spacing, made->friction,
+      added > 0 ? fmt::format(" && apc loads plan --add {} -o DIR && apc loads run DIR", added) : std::string());
   from.date = today();
   from.version = concat("apc ", APC_VERSION);
   from.friction = made->friction;
