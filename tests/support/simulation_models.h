@@ -68,7 +68,7 @@ inline bed::Bed pavement() {
 }
 
 /// Setback, a ramp down to `depth` over `ramp`, level to `length`; top flush.
-inline bed::Bed foam_bed(double depth, double ramp = 15.24, double length = 250.0) {
+inline bed::Bed foam_bed(double depth, double ramp = 15.24, double length = 900.0) {
   bed::Bed bed = pavement();
   bed.name = "foam";
   bed.setback = 15.24;

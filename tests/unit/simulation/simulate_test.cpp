@@ -37,7 +37,7 @@ TEST(Overrun, StopsInTheBed) {
   const auto result = simulate(jet_in_foam(), at(70));
   EXPECT_EQ(result.outcome, Outcome::stopped) << result.message;
   EXPECT_GT(result.stop_distance, 60.0);
-  EXPECT_LT(result.stop_distance, 200.0);
+  EXPECT_LT(result.stop_distance, 600.0);
   EXPECT_NEAR(result.runway_distance - result.stop_distance, 15.24, 1e-9);
   EXPECT_NEAR(result.mean_deceleration * 2.0 * result.stop_distance, std::pow(70 * units::kt, 2), 1e-6);
   EXPECT_GE(result.peak_deceleration, result.peak_deceleration_100ms);
