@@ -124,11 +124,11 @@ TEST(ShippedTables, DragIsNearTheWorkOfCrushing) {
     if (entry.path().extension() != ".h5") continue;
     const auto table = load_table(entry.path());
     const double depth = 18.0 * units::in;
-    for (const double ratio : {0.4, 0.6, 0.8}) {
-      const auto load = table.load({50.0 * units::kt, depth, ratio * table.maximum_penetration(depth)});
+    for (const double share : {0.3, 0.5}) {  // of the radius: a wheel that rides, not one that ploughs
+      const auto load = table.load({50.0 * units::kt, depth, share * 0.5 * table.tire().diameter});
       const double crushing = strength * table.tire().width * load.rut_depth;
-      EXPECT_GT(load.drag, 0.9 * crushing) << entry.path() << " " << ratio;
-      EXPECT_LT(load.drag, 2.2 * crushing) << entry.path() << " " << ratio;
+      EXPECT_GT(load.drag, 0.9 * crushing) << entry.path() << " " << share;
+      EXPECT_LT(load.drag, 2.2 * crushing) << entry.path() << " " << share;
     }
   }
 }
