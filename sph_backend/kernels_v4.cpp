@@ -5,7 +5,7 @@
 namespace apc::sph {
 
 const PairKernels& kernels_v4() {
-  static constexpr PairKernels kernels{"x86-64-v4", strain, accelerate, filter};
+  static constexpr PairKernels kernels{"x86-64-v4", strain, accelerate, multiply_add, filter};
   return kernels;
 }
 

@@ -50,6 +50,8 @@ struct PairKernels {
   const char* name;
   void (*strain)(const PairWork&, int first_cluster, int last_cluster);
   void (*accelerate)(const PairWork&, int first_cluster, int last_cluster);
+  /// `rounds` dependent rounds of independent multiply-adds; returns the floating-point operations done.
+  double (*multiply_add)(long rounds);
   int (*filter)(const FilterWork&, int cluster, const std::uint32_t* candidates, int count, std::uint32_t* kept);
 };
 

@@ -146,6 +146,19 @@ void accelerate(const PairWork& w, int first_cluster, int last_cluster) {
   }
 }
 
+double multiply_add(long rounds) {
+  Vec chain[8];
+  for (int k = 0; k < 8; ++k) chain[k] = splat(1.0f + 0.1f * static_cast<float>(k));
+  const Vec factor = splat(0.999f), term = splat(0.001f);
+  for (long r = 0; r < rounds; ++r) {
+#pragma GCC unroll 8
+    for (int k = 0; k < 8; ++k) chain[k] = chain[k] * factor + term;
+  }
+  volatile float keep = 0.0f;
+  for (int k = 0; k < 8; ++k) keep = keep + chain[k][0];
+  return 2.0 * 8.0 * width * static_cast<double>(rounds);
+}
+
 // Branch-free: the reach of a pair is its kernel support, a little more because h may grow, and what both may travel.
 int filter(const FilterWork& w, int cluster, const std::uint32_t* candidates, int count, std::uint32_t* kept) {
   int n = 0;

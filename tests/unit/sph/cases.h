@@ -24,7 +24,7 @@ inline RollingCase quick_case() {
   c.tire = nose_tire();
   c.foam = ideal_foam_50psi();
   c.bed_depth = 6.0 * units::in, c.penetration = 3.0 * units::in, c.speed = 60.0 * units::kt;
-  c.spacing = 1.1 * units::in;
+  c.spacing = 0.9 * units::in;
   c.load_tolerance = 0.05, c.spin_tolerance = 0.05;
   return c;
 }

@@ -98,8 +98,9 @@ TEST(Deck, RefusesNonsenseWithPlaceAndRemedy) {
 
 TEST(Material, RefusesNonsenseWithPlaceAndRemedy) {
   EXPECT_EQ(foam_complaint("", ""), "accepted");
-  EXPECT_THAT(foam_complaint("load_curve", R"({"strain": [0, 0.9, 0.85], "stress": {"unit": "psi", "values": [1, 2, 3]}})"),
-              AllOf(HasSubstr("foam.json"), HasSubstr("load_curve"), HasSubstr("does not increase")));
+  EXPECT_THAT(
+      foam_complaint("load_curve", R"({"strain": [0, 0.9, 0.85], "stress": {"unit": "psi", "values": [1, 2, 3]}})"),
+      AllOf(HasSubstr("foam.json"), HasSubstr("load_curve"), HasSubstr("does not increase")));
   EXPECT_THAT(foam_complaint("load_curve", R"({"strain": [0, 1], "stress": {"unit": "psi", "values": [1, 2, 3]}})"),
               HasSubstr("3 values for 2 strains"));
   EXPECT_THAT(foam_complaint("load_curve", R"({"strain": [0, 1.2], "stress": {"unit": "psi", "values": [1, 2]}})"),

@@ -53,8 +53,9 @@ TEST(SlowTire, PublishedCaseAtTwoInches) {
 TEST(SlowTire, WindowDoesNotDecideTheLoads) {
   RollingCase c;
   c.foam = ideal_foam_50psi();
-  c.tire = {"R18x4.4",          17.9 * in,  4.45 * in,           10.0 * in, 225.0 * units::psi,
-            4350.0 * units::lbf, 0.92 * in, 13050.0 * units::lbf, 2.02 * in};
+  c.tire = {"R18x4.4",          17.9 * in,           4.45 * in, 10.0 * in,
+            225.0 * units::psi, 4350.0 * units::lbf, 0.92 * in, 13050.0 * units::lbf,
+            2.02 * in};
   c.bed_depth = 8.0 * in, c.penetration = 4.0 * in, c.speed = 60.0 * units::kt, c.spacing = 1.0 * in;
   c.load_tolerance = 0.005, c.spin_tolerance = 0.005;
   const RollingResult narrow = roll(c);
