@@ -148,16 +148,16 @@ double exaggeration(double pixels_per_metre, double heights, double room) {
 }
 
 /// Where the leading axle of each gear came to rest: the nose gear named to the right of its line, the others to the
-/// left, each a line of text higher than the one before.
+/// left. A name runs over the gears behind it, so it stands a line of text higher than theirs.
 std::string stop_marks(const OverrunRecord& record, const Axis& across, double from, double to) {
   std::string out;
-  double y = to;
+  const auto gears = record.result.gears.size();
   for (std::size_t i = 0; i < record.result.gears.size(); ++i) {
     const auto stand = last_stand(record, i);
     if (stand.axles.empty()) continue;
     const double x = across(stand.axles.front());
     const bool ahead = (i == 0 && x < width - 170) || x < left + 170;
-    if (i > 1) y -= 14;
+    const double y = to - (ahead && i == 0 ? 0.0 : 14.0 * static_cast<double>(gears - 1 - i));
     out += fmt::format(
         "<path class=\"stop {0}\" d=\"M{1},{2}V{3}\"/><text class=\"name {0}\" x=\"{4}\" y=\"{5}\" "
         "text-anchor=\"{6}\">{7} wheel {8}</text>",

@@ -14,7 +14,7 @@ using simulation::GearSummary;
 
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
-  if (result.outcome != simulation::Outcome::stopped) out += "  " + result.message + "\n";
+  if (result.outcome == simulation::Outcome::gear_limit) out += "  " + result.message + "\n";
   if (std::isfinite(result.stop_distance))
     out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
                        shown(result.stop_distance, measure::distance, units),
@@ -106,7 +106,8 @@ double entry_energy(const simulation::Result& result) {
 std::vector<std::pair<std::string, double>> energy_sinks(const simulation::Result& result) {
   std::vector<std::pair<std::string, double>> sinks;
   for (const auto& [key, value] : result.energy)
-    if (key != "residual" && key != "kinetic" && value != 0.0) sinks.emplace_back(key, value);
+    if (key != "residual" && key != "kinetic" && std::abs(value) > 1e-6 * entry_energy(result))
+      sinks.emplace_back(key, value);
   std::stable_sort(sinks.begin(), sinks.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.second) > std::abs(b.second); });
   return sinks;

@@ -22,7 +22,7 @@ std::string energy_name(const std::string& key);
 /// The entry's energy of motion, J; the denominator of every share.
 double entry_energy(const simulation::Result&);
 
-/// Where the entry's energy went, largest first; terms that took nothing are left out.
+/// Where the entry's energy went, largest first; terms below a millionth are left out.
 std::vector<std::pair<std::string, double>> energy_sinks(const simulation::Result&);
 
 /// Coverage in words: "97 % of the time inside; speed below the range 3 %".

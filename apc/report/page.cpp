@@ -103,9 +103,9 @@ std::string page(const OverrunRecord& record) {
   out += fmt::format("<header><h1>{}, {} at the bed's edge</h1><p class=\"sub\">{} · {}</p>\n",
                      escaped(record.model.aircraft.name), both(result.entry_speed, measure::speed),
                      escaped(record.model.bed.name),
-                     result.outcome == simulation::Outcome::stopped
-                         ? both(result.mass, measure::mass) + " of " + escaped(record.model.aircraft.name)
-                         : escaped(result.message));
+                     result.outcome == simulation::Outcome::gear_limit
+                         ? escaped(result.message)
+                         : both(result.mass, measure::mass) + " of " + escaped(record.model.aircraft.name));
   out += switches_bar() + headline_cards(record);
   for (const auto& warning : result.warnings) out += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
   out += "</header>\n<main>\n<h2>Bed section</h2>\n<div class=\"wide\">" + bed_section(record) + "</div>\n";

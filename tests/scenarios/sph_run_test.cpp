@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "tests/scenarios/program.h"
 
@@ -42,6 +43,8 @@ struct Slip {
   std::string name, from, to;
   std::vector<std::string> mentions;
 };
+
+void PrintTo(const Slip& slip, std::ostream* out) { *out << slip.name; }
 
 class BadDeck : public testing::TestWithParam<Slip> {};
 
