@@ -82,6 +82,7 @@ report::RollingRecord as_record(const SphDeck& deck, const sph::RollingResult& r
   record.deflection_history = result.history.deflection;
   record.section_y = result.section_y;
   record.section_z = result.section_z;
+  for (double& z : record.section_z) z -= deck.rig.bed_depth;  // the rig counts from the rigid plane upwards
   record.section_compaction = result.section_compaction;
   return record;
 }

@@ -28,7 +28,7 @@ struct RollingRecord {
   double bytes_per_particle = 0.0;
 
   std::vector<double> time, distance, drag_history, vertical_history, spin_history, deflection_history;
-  std::vector<double> section_y, section_z, section_compaction;  ///< particles of one slice behind the tire
+  std::vector<double> section_y, section_z, section_compaction;  ///< one slice behind the tire; z from the top up
   Manifest manifest;
 };
 
