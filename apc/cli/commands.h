@@ -43,5 +43,7 @@ void add_design(CLI::App&, Settings&);
 void add_check(CLI::App&, Settings&);
 void add_describe(CLI::App&, Settings&);
 void add_list(CLI::App&, Settings&);
+void add_effects(CLI::App&, Settings&);
+void add_learning(CLI::App&, Settings&);  ///< compare, diagnose, add, verify, learn
 
 }  // namespace apc::cli

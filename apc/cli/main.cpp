@@ -80,6 +80,8 @@ int run(const std::vector<std::string>& words) {
   add_check(program, settings);
   add_describe(program, settings);
   add_list(program, settings);
+  add_effects(program, settings);
+  add_learning(program, settings);
 
   try {
     refuse_unknown_words(program, words);

@@ -1,0 +1,78 @@
+#include "apc/cli/learn_inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apc/base/progress.h"
+#include "apc/effects/catalogue.h"
+#include "apc/effects/effect_json.h"
+
+namespace apc::cli {
+
+void add_case_options(CLI::App& command, const std::shared_ptr<LearnWords>& words) {
+  command.add_option("case", words->folder, "folder with case.json")->required();
+  command.add_option("--aliases", words->aliases, "names and units of a flight recorder's columns (apc-aliases/1)");
+  command.add_option("--effect", words->own, "your own effects (apc-effect/1), ranked beside the catalogue");
+  command.add_option("--threads", words->threads, "threads, 0 = all");
+}
+
+learning::Case load(const LearnWords& words) {
+  return learning::load_case(words.folder, words.aliases.empty() ? std::nullopt : std::optional(words.aliases));
+}
+
+std::vector<effects::Effect> known_effects(const LearnWords& words) {
+  std::vector<effects::Effect> known = effects::catalogue();
+  for (const auto& path : words.own) known.push_back(effects::load_own_effect(path));
+  return known;
+}
+
+learning::Study study_of(const learning::Case& data, const LearnWords& words, const Settings& settings) {
+  learning::DiagnoseOptions options;
+  options.threads = words.threads;
+  options.effects = known_effects(words);
+  const auto progress = settings.quiet ? nullptr : std::make_shared<Progress>("diagnosing " + data.title);
+  if (progress) options.report = [progress](double share, const std::string& what) { progress->show(share, what); };
+  return learning::diagnose(data, options);
+}
+
+std::string verdict_text(const learning::Study& study) {
+  const learning::Diagnosis& d = study.diagnosis;
+  std::string out = fmt::format("VERDICT  {}", learning::text(d.verdict));
+  if (!d.learned.empty()) out += ": a force that follows \"" + d.learned + "\", none of the catalogue";
+  out += "\n";
+  for (const auto& claim : d.claims) {
+    if (claim.probability < 0.05) continue;
+    out += fmt::format("  {:<18} P {:.2f}  family-wise p {:.4f} ", claim.id, claim.probability, claim.p_family_wise);
+    for (std::size_t k = 0; k < claim.applied.values.size(); ++k) {
+      const auto& p = claim.applied.effect.parameters[k];
+      const double factor = p.unit.empty() ? 1.0 : parse_unit(p.unit).factor;
+      const bool free = k < claim.deviation.size() && std::isfinite(claim.deviation[k]);
+      out += fmt::format(" {} {:.4g}{}{}", p.name, claim.applied.values[k] / factor,
+                         free ? fmt::format(" ± {:.2g}", claim.deviation[k] / factor) : "",
+                         p.unit.empty() ? "" : " " + p.unit);
+    }
+    out += "\n";
+  }
+  if (!d.rivals.empty()) {
+    out += "CANNOT TELL APART\n";
+    for (std::size_t i = 0; i < std::min<std::size_t>(6, d.rivals.size()); ++i)
+      out += fmt::format("  {} | {}   correlation {:+.2f}, {:.1f} deviations apart\n", d.rivals[i].a, d.rivals[i].b,
+                         d.rivals[i].correlation, d.rivals[i].separability);
+  }
+  out += "NOT MISSING ABOVE (90 % power)\n ";
+  for (const auto& [name, value] : d.smallest_detectable) out += fmt::format(" {} {:.3g} (SI)", name, value);
+  out += "\n";
+  if (!d.sensors.empty()) out += "SENSORS\n";
+  for (std::size_t i = 0; i < std::min<std::size_t>(4, d.sensors.size()); ++i) {
+    const auto& s = d.sensors[i];
+    out += fmt::format("  {} {}: {:.4g} ± {:.2g} (SI)\n", s.run.empty() ? "all runs" : s.run, s.what, s.value,
+                       s.deviation);
+  }
+  for (const auto& remark : study.background.data->remarks)
+    out += fmt::format("DATA  {} {}: {}\n", remark.run, remark.channel, remark.text);
+  return out;
+}
+
+}  // namespace apc::cli

@@ -1,0 +1,148 @@
+#include "apc/learning/learn_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace apc::learning {
+namespace {
+
+template <class... Parts>
+std::string format(const char* pattern, Parts... parts) {
+  char text[512];
+  std::snprintf(text, sizeof text, pattern, parts...);
+  return text;
+}
+
+std::string name_of_explanation(const Explanation& x) {
+  std::string name = x.label;
+  for (const std::string& id : x.ids) name += (name.empty() ? "" : " + ") + id;
+  return name.empty() ? "nothing missing" : name;
+}
+
+/// Horizontal bars of probability with the log evidence written beside them.
+std::string ranked(const Diagnosis& d) {
+  const std::size_t n = std::min<std::size_t>(10, d.explanations.size());
+  std::string svg =
+      format("<svg viewBox='0 0 720 %d' role='img' aria-label='Ranked explanations'>", static_cast<int>(26 * n + 10));
+  for (std::size_t i = 0; i < n; ++i) {
+    const Explanation& x = d.explanations[i];
+    const double y = 26.0 * static_cast<double>(i) + 6.0;
+    svg += format("<text x='250' y='%.0f' text-anchor='end'>", y + 14) + name_of_explanation(x) + "</text>";
+    svg += format("<rect x='260' y='%.0f' width='%.1f' height='18' class='bar'/>", y,
+                  std::max(1.0, 300.0 * x.probability));
+    svg += format("<text x='%.0f' y='%.0f'>P %.2f, ln E %+.0f</text>", 268.0 + 300.0 * x.probability, y + 14,
+                  x.probability, x.log_evidence);
+  }
+  return svg + "</svg>";
+}
+
+/// Measured samples and the model's line of one channel against time.
+std::string overlay(const Background& b, std::size_t r, const Channel& channel, std::size_t c) {
+  const auto& h = b.traces[r].result.history;
+  if (h.time.empty() || channel.time.empty()) return "";
+  double low = 1e300, high = -1e300;
+  for (const double v : channel.value) low = std::min(low, v), high = std::max(high, v);
+  const double end = channel.time.back(), begin = std::min(0.0, channel.time.front());
+  const auto X = [&](double t) { return 50.0 + 640.0 * (t - begin) / std::max(1e-6, end - begin); };
+  const auto Y = [&](double v) { return 150.0 - 130.0 * (v - low) / std::max(1e-9, high - low); };
+  std::string svg = "<svg viewBox='0 0 720 180' role='img'><g class='dots'>";
+  const std::size_t stride = std::max<std::size_t>(1, channel.time.size() / 300);
+  for (std::size_t i = 0; i < channel.time.size(); i += stride)
+    svg += format("<circle cx='%.1f' cy='%.1f' r='1.4'/>", X(channel.time[i]), Y(channel.value[i]));
+  svg += "</g><polyline class='model' points='";
+  const Signal signal(h, channel, b.data->aircraft);
+  for (double t = std::max(begin, h.time.front()); t < std::min(end, h.time.back()); t += (end - begin) / 400.0)
+    svg += format("%.1f,%.1f ", X(t),
+                  std::clamp(Y((1.0 + b.eta[b.layout.runs[r].scale[c]]) * signal(t) + b.eta[b.layout.runs[r].bias[c]]),
+                             0.0, 175.0));
+  svg += format(
+      "'/><text x='50' y='172'>%.1f s</text><text x='690' y='172' text-anchor='end'>%.1f s</text><text x='46' y='20' "
+      "text-anchor='end'>%.3g</text><text x='46' y='150' text-anchor='end'>%.3g</text></svg>",
+      begin, end, high, low);
+  return svg;
+}
+
+/// Runs as rows, distance in the bed across, colour = missing longitudinal force over weight, from the block strengths
+/// the fit needed.
+std::string strip(const Background& b) {
+  double reach = 1.0;
+  for (std::size_t r = 0; r < b.training; ++r)
+    reach = std::max(reach, static_cast<double>(b.layout.runs[r].blocks) * b.layout.spacing);
+  std::string svg = format("<svg viewBox='0 0 720 %d' role='img' aria-label='Strength the fit needed along the bed'>",
+                           static_cast<int>(24 * b.training + 30));
+  for (std::size_t r = 0; r < b.training; ++r) {
+    const RunLayout& at = b.layout.runs[r];
+    svg += format("<text x='60' y='%d' text-anchor='end'>", static_cast<int>(24 * r + 18)) + b.runs[r].id + "</text>";
+    for (Eigen::Index k = 0; k < at.blocks; ++k) {
+      const double v = std::clamp(b.eta[at.main_blocks + k] / 0.25, -1.0, 1.0),
+                   x = 66.0 + 640.0 * static_cast<double>(k) * b.layout.spacing / reach;
+      const int red = static_cast<int>(v < 0 ? 230 : 230 * (1 - v)),
+                blue = static_cast<int>(v > 0 ? 230 : 230 * (1 + v)), green = static_cast<int>(230 * (1 - std::abs(v)));
+      svg += format("<rect x='%.1f' y='%d' width='%.1f' height='20' fill='rgb(%d,%d,%d)'/>", x,
+                    static_cast<int>(24 * r + 4), 640.0 * b.layout.spacing / reach + 0.5, red, green, blue);
+    }
+  }
+  svg += format(
+      "<text x='66' y='%d'>0 m</text><text x='706' y='%d' text-anchor='end'>%.0f m from the leading edge</text></svg>",
+      static_cast<int>(24 * b.training + 22), static_cast<int>(24 * b.training + 22), reach);
+  return svg;
+}
+
+}  // namespace
+
+std::string learn_page(const Study& study) {
+  const Background& b = study.background;
+  const Diagnosis& d = study.diagnosis;
+  std::string page =
+      "<!doctype html><html lang='en'><meta charset='utf-8'><meta name='viewport' "
+      "content='width=device-width'><title>" +
+      b.data->title +
+      "</title><style>body{font:16px/1.5 system-ui,sans-serif;max-width:760px;margin:2em auto;padding:0 "
+      "1em;color:#222;background:#fff}svg{width:100%;font:12px system-ui}"
+      ".bar{fill:#456}.dots "
+      "circle{fill:#888}.model{fill:none;stroke:#b40;stroke-width:1.6}table{border-collapse:collapse}td,th{padding:2px "
+      "10px;text-align:left;border-bottom:1px solid #ddd}"
+      "</style><h1>" +
+      b.data->title + "</h1><p><strong>Verdict: " + text(d.verdict) + "</strong>";
+  if (!d.learned.empty()) page += ": a force that follows \"" + d.learned + "\", none of the catalogue";
+  page +=
+      ".</p><h2>What explains the runs</h2><p>Probability after the background: block scatter, table error, entry "
+      "conditions and instruments.</p>" +
+      ranked(d);
+  if (!d.claims.empty()) {
+    page += "<table><tr><th>effect<th>probability<th>family-wise p<th>size (SI)<th>law</tr>";
+    for (const Claim& c : d.claims) {
+      const double deviation = c.deviation.empty() ? std::nan("") : c.deviation.front();
+      page += "<tr><td>" + c.id +
+              format("<td>%.2f<td>%.4f<td>%.4g ± %.2g<td>", c.probability, c.p_family_wise, c.applied.values.front(),
+                     deviation) +
+              c.applied.effect.law + "</tr>";
+    }
+    page += "</table>";
+  }
+  page += "<h2>Cannot be told apart</h2>";
+  if (d.rivals.empty()) page += "<p>No two leading effects look alike in these runs.</p>";
+  for (const Rival& r : d.rivals)
+    page += "<p>" + r.a + " | " + r.b +
+            format(": correlation %+.2f, %.1f deviations apart</p>", r.correlation, r.separability);
+  page += "<h2>Not missing above</h2><p>Smallest amplitude seen with 90 % power (SI):";
+  for (const auto& [name, value] : d.smallest_detectable) page += " " + name + format(" %.3g;", value);
+  page +=
+      "</p><h2>Where it fails</h2><p>Strength of the bed the fit needed under the main gear: red softer, blue harder "
+      "by up to 25 %.</p>" +
+      strip(b);
+  page +=
+      "<h2>Measured and fitted</h2><p>Dots measured, line the model with its background fitted, led along the measured "
+      "speed.</p>";
+  for (std::size_t r = 0; r < b.training; ++r)
+    for (std::size_t c = 0; c < b.runs[r].channels.size(); ++c)
+      page += "<h3>" + b.runs[r].id + ", " + name_of(b.runs[r].channels[c].quantity) + " (SI)</h3>" +
+              overlay(b, r, b.runs[r].channels[c], c);
+  if (!b.data->remarks.empty()) page += "<h2>Data</h2>";
+  for (const DataRemark& remark : b.data->remarks)
+    page += "<p>" + remark.run + " " + remark.channel + ": " + remark.text + "</p>";
+  return page + "</html>\n";
+}
+
+}  // namespace apc::learning
