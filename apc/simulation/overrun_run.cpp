@@ -47,6 +47,12 @@ double longest_way(const Plant& plant) {
   for (const auto& row : plant.rows)
     if (row.ahead >= 0)
       reach = std::min(reach, 0.7 * (plant.rows[static_cast<std::size_t>(row.ahead)].offset - row.offset));
+  if (!plant.alterations) return reach;
+  for (const auto& each : plant.alterations->effects) {  // narrow places (joints) must not be stepped over
+    if (each.values.empty() || each.values.front() == each.effect.parameters.front().neutral) continue;
+    for (std::size_t k = 1; k < each.values.size(); ++k)
+      if (each.effect.parameters[k].name == "width") reach = std::min(reach, 0.8 * each.values[k]);
+  }
   return reach;
 }
 

@@ -153,16 +153,26 @@ class Carried {
     return values;
   }
 
+  /// Channel values and their derivatives at t; a maximum between three instants is taken at the parabola's vertex, the
+  /// derivative there between its neighbours (it changes fast where the parameter moves the peak in time).
   void see(double t) {
-    solver_.state(t, y_.data());
-    const auto now = channels(base_, t, y_.data());
-    bool higher = false;
-    for (std::size_t i = 0; i < now.size(); ++i) higher = higher || now[i] > peaks_[i][0];
-    if (!higher) return;
     load(t);
+    const auto now = channels(base_, t, y_.data());
     const auto up = channels(up_, t, above_.data()), down = channels(down_, t, below_.data());
-    for (std::size_t i = 0; i < now.size(); ++i)
-      if (now[i] > peaks_[i][0]) peaks_[i] = {now[i], (up[i] - down[i]) / (2.0 * epsilon_)};
+    std::vector<std::array<double, 2>> latest(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      latest[i] = {now[i], (up[i] - down[i]) / (2.0 * epsilon_)};
+      if (now[i] > peaks_[i][0]) peaks_[i] = latest[i];
+      if (before_.empty()) continue;
+      const auto &a = before_[i], &b = last_[i];
+      const double curvature = a[0] - 2.0 * b[0] + now[i];
+      if (b[0] < a[0] || b[0] < now[i] || b[0] < peaks_[i][0] || curvature >= 0.0) continue;
+      const double shift = 0.5 * (a[0] - now[i]) / curvature;  // in instants, within ±½
+      const auto& side = shift < 0.0 ? a : latest[i];
+      peaks_[i][1] = b[1] + std::abs(shift) * (side[1] - b[1]);
+    }
+    before_ = std::move(last_);
+    last_ = std::move(latest);
   }
 
   void write_ruts(double t) {
@@ -225,7 +235,7 @@ class Carried {
   Variant base_, up_, down_;
   std::vector<double> y_, s_, rate_, above_, below_;
   Cvode solver_;
-  std::vector<std::array<double, 2>> peaks_;  ///< {value, derivative}
+  std::vector<std::array<double, 2>> peaks_, last_, before_;  ///< {value, derivative} per channel
   std::vector<int> waiting_;
   bool ruts_ = false;
   double next_look_ = 1e-3;
