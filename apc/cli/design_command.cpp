@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Words {
-  std::string fleet, objective = "length", criterion, length, rtol = "1e-8", pareto;
+  std::string fleet, objective = "length", criterion, length, rtol = "1e-7", pareto;
   Choice choice;
   fs::path out;
   unsigned threads = 0;
@@ -150,7 +150,7 @@ void add_design(CLI::App& program, Settings& settings) {
   command->add_option("--loads", words->choice.loads, "folder of load tables (default: the shipped ones)")
       ->type_name("DIR");
   command->add_option("--tires", words->choice.tires, "tire library")->type_name("FILE");
-  command->add_option("--rtol", words->rtol, "relative tolerance of the integration (default 1e-8)")
+  command->add_option("--rtol", words->rtol, "relative tolerance of the integration (default 1e-7)")
       ->type_name("NUMBER");
   command->add_option("--threads", words->threads, "default: all")->type_name("N");
   command

@@ -18,7 +18,7 @@ std::vector<FrontPoint> pareto_front(const Problem& problem, study::Store& store
   Evaluator evaluator(problem, store);
   std::vector<FrontPoint> all;
   for (const auto objective : {Objective::length, Objective::volume}) {
-    Aim aim{objective, start.profile.reference, 0.0, {}, {}, 0.0, 0.0, false};
+    Aim aim{objective, start.profile.reference, 0.0, {}, {}, {}, 0.0, false};
     aim.cases.resize(problem.fleet.cases.size());
     std::iota(aim.cases.begin(), aim.cases.end(), std::size_t{0});
     auto z = point_of(problem.fleet.bed, start.profile, start.length / start.profile.reference);

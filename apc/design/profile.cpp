@@ -36,9 +36,13 @@ std::vector<double> watched(const Profile& profile) {
   std::vector<double> corners{0.0}, out;
   for (const double at : profile.stations()) corners.push_back(at);
   corners.push_back(profile.reference);
+  // As many places to every piece as make them about 6 m apart over the whole reference length: their number must not
+  // change with the design.
+  const auto pieces = static_cast<double>(corners.size() - 1);
+  const int each = std::max(4, static_cast<int>(std::ceil(profile.reference / pieces / 6.0)));
   for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-    for (int quarter = 1; quarter <= 4; ++quarter)
-      out.push_back(corners[i] + 0.25 * quarter * (corners[i + 1] - corners[i]));
+    for (int place = 1; place <= each; ++place)
+      out.push_back(corners[i] + (corners[i + 1] - corners[i]) * place / each);
   return out;
 }
 

@@ -56,13 +56,14 @@ class Writer {
   std::vector<Constraint> names() const {
     const auto& problem = evaluator_.problem();
     std::vector<Constraint> out;
+    const auto like = profile_of(problem.fleet.bed, Eigen::VectorXd::Zero(problem.fleet.bed.nodes + 2), aim_.reference);
+    const auto places = static_cast<int>(watched(like).size());
     for (const std::size_t k : aim_.cases) {
       if (!aim_.feasibility) out.push_back({Kind::stop, k, "", -1, ""});
       for (const auto& each : load_constraints(problem.fleet, k, problem.models[k])) {
         if (!by_place(each)) out.push_back(each);
         if (by_place(each))
-          for (int place = 0; place < 4 * (problem.fleet.bed.nodes + 1); ++place)
-            out.push_back({Kind::drag, k, "nose", place, ""});
+          for (int place = 0; place < places; ++place) out.push_back({Kind::drag, k, "nose", place, ""});
       }
     }
     const auto slope = [&](const std::string& what) { out.push_back({Kind::slope, 0, "", -1, what}); };
@@ -78,11 +79,12 @@ class Writer {
     std::vector<double> out{objective(profile, extra)};
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!aim_.feasibility) out.push_back(stop(i, cases[i], extra));
+      const double allowed = aim_.allowance.empty() ? 0.0 : aim_.allowance[i];
       const auto names = load_constraints(problem.fleet, aim_.cases[i], problem.models[aim_.cases[i]]);
       for (std::size_t c = 0; c < names.size(); ++c) {
         if (!by_place(names[c])) out.push_back(cases[i].use[c] - 1.0 - slack);
         if (by_place(names[c]))
-          for (const double use : cases[i].nose_use) out.push_back(use - 1.0 + aim_.allowance - slack);
+          for (const double use : cases[i].nose_use) out.push_back(use - 1.0 + allowed - slack);
       }
     }
     const auto& space = problem.fleet.bed;
@@ -93,6 +95,14 @@ class Writer {
       out.push_back(slope - 1.0), out.push_back(-slope - 1.0);
     }
     return Eigen::Map<Eigen::VectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
+  }
+
+  /// How near a case comes to any of its constraints: its largest g.
+  double nearest(std::size_t i, const Figures& figures, double extra) const {
+    const double slack = aim_.feasibility ? extra : -aim_.reserve;
+    double g = aim_.feasibility ? -1e9 : stop(i, figures, extra);
+    for (const double use : figures.use) g = std::max(g, use - 1.0 - slack);
+    return g;
   }
 
  private:
@@ -130,19 +140,41 @@ Program make_program(Evaluator& evaluator, const Aim& aim, Peaks peaks) {
   const auto& space = evaluator.problem().fleet.bed;
   const auto writer = Writer(evaluator, aim, peaks);
   const auto size = point_of(space, profile_of(space, Eigen::VectorXd::Zero(space.nodes + 2), 100.0), 0.0).size();
-  Program program{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Ones(size), writer.names(), {}};
+  Program program{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Ones(size), writer.names(), {}, {}};
   std::tie(program.low[size - 1], program.high[size - 1]) = extra_range(evaluator, aim);
-  program.evaluate = [&evaluator, aim, writer](const std::vector<Eigen::VectorXd>& points) {
+  const auto trial_of = [&evaluator, aim](const Eigen::VectorXd& z) {
+    const double factor = aim.objective == Objective::speed && !aim.feasibility ? z[z.size() - 1] : 1.0;
+    return Trial{profile_of(evaluator.problem().fleet.bed, z, aim.reference), factor};
+  };
+  const auto evaluate = [&evaluator, aim, writer, trial_of](const std::vector<Eigen::VectorXd>& points,
+                                                            const std::vector<std::size_t>& members,
+                                                            const std::vector<Figures>& others) {
     std::vector<Trial> trials;
-    for (const auto& z : points) {
-      const double factor = aim.objective == Objective::speed && !aim.feasibility ? z[z.size() - 1] : 1.0;
-      trials.push_back({profile_of(evaluator.problem().fleet.bed, z, aim.reference), factor});
-    }
-    const auto all = evaluator.run(trials, aim.cases);
+    std::vector<std::size_t> cases;
+    for (const auto& z : points) trials.push_back(trial_of(z));
+    for (const auto i : members) cases.push_back(aim.cases[i]);
+    const auto all = evaluator.run(trials, cases);
     std::vector<Eigen::VectorXd> out;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      out.push_back(writer.values(trials[i].profile, points[i][points[i].size() - 1], all[i]));
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      auto figures = others;
+      for (std::size_t i = 0; i < members.size(); ++i) figures[members[i]] = all[p][i];
+      out.push_back(writer.values(trials[p].profile, points[p][points[p].size() - 1], figures));
+    }
     return out;
+  };
+  std::vector<std::size_t> everyone(aim.cases.size());
+  std::iota(everyone.begin(), everyone.end(), std::size_t{0});
+  program.evaluate = [evaluate, everyone](const std::vector<Eigen::VectorXd>& points) {
+    return evaluate(points, everyone, std::vector<Figures>(everyone.size()));
+  };
+  program.evaluate_near = [&evaluator, aim, writer, trial_of, evaluate](const Eigen::VectorXd& z,
+                                                                        const std::vector<Eigen::VectorXd>& points) {
+    constexpr double far = 0.15;
+    const auto here = evaluator.run({trial_of(z)}, aim.cases).front();
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < here.size(); ++i)
+      if (writer.nearest(i, here[i], z[z.size() - 1]) > -far) near.push_back(i);
+    return evaluate(points, near, here);
   };
   return program;
 }
@@ -158,7 +190,7 @@ Eigen::MatrixXd jacobian(const Program& program, const Eigen::VectorXd& z, doubl
     points.push_back(z);
     points.back()[j] -= sign.back() * step;
   }
-  const auto values = program.evaluate(points);
+  const auto values = program.evaluate_near(z, points);
   Eigen::MatrixXd out(values.front().size(), z.size());
   for (Eigen::Index j = 0; j < z.size(); ++j) {
     const auto at = static_cast<std::size_t>(j);

@@ -35,7 +35,7 @@ struct Aim {
   double length = 0.0;             ///< m, given; for Objective::speed
   std::vector<std::size_t> cases;  ///< of the fleet
   std::vector<double> alone;       ///< m, x*_k per entry of `cases`; for Objective::minimax
-  double allowance = 0.0;          ///< taken off the nose drag's limit at watched places, as a share: for peaks between
+  std::vector<double> allowance;   ///< per case, off the nose drag's limit at watched places: for peaks between them
   double reserve = 0.0;            ///< taken off every load limit, as a share: a margin asked for
   bool feasibility = false;        ///< f = s, g = use − 1 − s: the least overstep of the limits that can be reached
 };
@@ -46,6 +46,10 @@ struct Program {
   std::vector<Constraint> constraints;
   /// Values [f, g₁, g₂, …] at several points at once, so that all cores have work.
   std::function<std::vector<Eigen::VectorXd>(const std::vector<Eigen::VectorXd>&)> evaluate;
+  /// The same near a point: cases none of whose constraints is within `far` of its limit there keep that point's
+  /// figures.
+  std::function<std::vector<Eigen::VectorXd>(const Eigen::VectorXd& z, const std::vector<Eigen::VectorXd>&)>
+      evaluate_near;
   Eigen::VectorXd at(const Eigen::VectorXd& z) const { return evaluate({z}).front(); }
 };
 

@@ -1,0 +1,38 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "apc/report/compliance_record.h"
+
+namespace apc::report {
+
+std::string compliance_json(const ComplianceRecord& record) {
+  using Value = nlohmann::ordered_json;
+  const auto number_or_null = [](double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); };
+  Value out{{"schema", "apc-compliance/1"},
+            {"bed", record.design.bed.name},
+            {"requirements", Value::array()},
+            {"cases", Value::array()}};
+  for (const auto& each : findings(record))
+    out["requirements"].push_back(
+        {{"clause", each.clause}, {"clause_read", each.read}, {"basis", each.basis}, {"result", text(each.verdict)}});
+  for (std::size_t k = 0; k < record.cases.size(); ++k) {
+    const auto& each = record.cases[k];
+    out["cases"].push_back({{"aircraft", record.design.fleet.cases[k].aircraft},
+                            {"case", record.design.fleet.cases[k].name},
+                            {"stop_distance", number_or_null(each.result.stop_distance)},
+                            {"use", each.use},
+                            {"arrest_speed", each.arrest_speed},
+                            {"intact_speed", each.intact_speed},
+                            {"table_error", each.table_error},
+                            {"stop_distance_range", {number_or_null(each.stop_low), number_or_null(each.stop_high)}},
+                            {"use_range", {each.use_low, each.use_high}}});
+  }
+  out["provenance"] = {
+      {"program", record.manifest.version}, {"command", record.manifest.command}, {"files", Value::array()}};
+  for (const auto& file : record.manifest.files)
+    out["provenance"]["files"].push_back(
+        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
+  return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
+}
+
+}  // namespace apc::report
