@@ -45,7 +45,8 @@ TEST(Effects, EveryEffectIsNeutralAtItsNeutralAmplitude) {
     EXPECT_EQ(change.tire_pressure, 1.0);
     EXPECT_EQ(change.drag, 0.0);
     EXPECT_EQ(change.vertical, 0.0);
-    if (effect.thrust) EXPECT_EQ(effect.thrust(1.0, one.values), 0.0);
+    const double push = effect.thrust ? effect.thrust(1.0, one.values) : 0.0;
+    EXPECT_EQ(push, 0.0);
     if (effect.site) {
       auto a = two_gears();
       auto b = flat_bed();

@@ -42,7 +42,7 @@ TEST(DataCheck, LeavesGoodRunsAlone) {
 }
 
 TEST(DataCheck, TurnsAFlippedAccelerometerOver) {
-  Run run = steady_run("a");
+  auto run = steady_run("a");
   for (double& a : run.channels[1].value) a = -a;
   Case data = with(run);
   check_runs(data);
@@ -52,7 +52,7 @@ TEST(DataCheck, TurnsAFlippedAccelerometerOver) {
 }
 
 TEST(DataCheck, RecognisesAWrongUnit) {
-  Run run = steady_run("a");
+  auto run = steady_run("a");
   for (double& a : run.channels[1].value) a /= 9.80665;
   Case data = with(run);
   check_runs(data);
@@ -65,7 +65,7 @@ TEST(DataCheck, RecognisesAWrongUnit) {
 }
 
 TEST(DataCheck, SetsAsideARunThatContradictsItself) {
-  Run run = steady_run("a");
+  auto run = steady_run("a");
   run.stop = 70.0;
   Case data = with(run);
   check_runs(data);
@@ -84,7 +84,7 @@ TEST(DataCheck, KeepsOneOfTwoCopies) {
 }
 
 TEST(DataCheck, LeavesOutTimeThatRunsBackwards) {
-  Run run = steady_run("a");
+  auto run = steady_run("a");
   std::swap(run.channels[1].time[200], run.channels[1].time[201]);
   Case data = with(run);
   check_runs(data);
