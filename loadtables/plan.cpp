@@ -55,7 +55,9 @@ std::vector<Point> latin_hypercube(std::size_t count, const std::vector<Point>& 
   }
   points.insert(points.end(), fixed.begin(), fixed.end());
   if (count < 2) return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count)};
-  for (int swap = 0; swap < 40000; ++swap) {
+  // A swap costs as much as there are points; beyond some eighty, random swaps gain little more.
+  const int swaps = static_cast<int>(std::min<std::size_t>(40000, 3200000 / count));
+  for (int swap = 0; swap < swaps; ++swap) {
     const auto a = random.below(count), b = random.below(count), k = random.below(3);
     if (a == b) continue;
     const double before = crowding(points, a) + crowding(points, b);

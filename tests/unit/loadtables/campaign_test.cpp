@@ -1,6 +1,9 @@
 #include "loadtables/campaign.h"
 
 #include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <mutex>
@@ -61,6 +64,28 @@ TEST_F(Campaign, GoesOnWhereItWasStopped) {
   EXPECT_EQ(finished(), 9);
   EXPECT_EQ(run_campaign(folder.path(), settings, steady), 15);
   EXPECT_EQ(finished(), 24);
+}
+
+TEST_F(Campaign, AKilledProcessLosesNoFinishedRun) {
+  const auto slow = [](const PlannedRun& run) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(15));
+    return steady(run);
+  };
+  const auto child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    run_campaign(folder.path(), settings, slow);
+    _exit(0);
+  }
+  while (finished() < 4) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  const int kept = finished();
+  EXPECT_GE(kept, 4);
+  EXPECT_EQ(run_campaign(folder.path(), settings, steady), 24 - kept);
+  EXPECT_EQ(finished(), 24);
+  EXPECT_EQ(campaign_samples(folder.path()).set.samples.size(), 24u);
 }
 
 TEST_F(Campaign, AHalfWrittenResultOfAKilledRunIsIgnored) {
