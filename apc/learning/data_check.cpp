@@ -86,7 +86,7 @@ void check_speed(Run& run, std::vector<DataRemark>& remarks) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t i = 0; i < c.time.size(); ++i)
-      if (c.time[i] < 0.05) sum += c.value[i], ++count;
+      if (c.time[i] < 0.35) sum += c.value[i], ++count;
     if (count < 3) continue;
     const double ratio = sum / count / run.overrun.entry_speed;
     if (std::abs(ratio - 1.0) < 0.2) continue;
