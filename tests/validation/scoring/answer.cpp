@@ -55,15 +55,16 @@ Answer read_answer(const std::filesystem::path& folder, const std::string& name)
   if (!file.is_object() || !file.contains("verdict")) return answer;
   answer.readable = true;
   answer.verdict = file["verdict"];
-  for (const json& e : file.value("effects", json::array())) {
+  for (const json list = file.value("effects", json::array()); const json& e : list) {
     Claim claim;
     claim.id = e.value("id", "");
     claim.probability = e.value("probability", 0.0);
-    for (const auto& [key, value] : e.value("parameters", json::object()).items())
+    for (const json part = e.value("parameters", json::object()); const auto& [key, value] : part.items())
       claim.parameters[key] = number(value);
-    for (const auto& [key, value] : e.value("interval95", json::object()).items())
+    for (const json part = e.value("interval95", json::object()); const auto& [key, value] : part.items())
       claim.interval[key] = {number(value[0]), number(value[1])};
-    for (const auto& [key, value] : e.value("work", json::object()).items()) claim.work[key] = number(value);
+    for (const json part = e.value("work", json::object()); const auto& [key, value] : part.items())
+      claim.work[key] = number(value);
     answer.effects.push_back(claim);
   }
   std::stable_sort(answer.effects.begin(), answer.effects.end(),
@@ -94,14 +95,14 @@ Truth read_truth(const std::filesystem::path& folder) {
     effect.law = e.value("law", "");
     effect.amplitude = e.value("amplitude", "");
     for (const auto& [key, value] : e.at("parameters").items()) effect.parameters[key] = number(value);
-    for (const json& o : oracle.value("effects", json::array()))
+    for (const json list = oracle.value("effects", json::array()); const json& o : list)
       if (o.at("id") == effect.id)
         effect.detectability = o.at("detectability"), effect.after_worst_rival = o.at("after_worst_rival");
     truth.effects.push_back(effect);
   }
-  for (const auto& [run, work] : oracle.value("work", json::object()).items())
+  for (const json part = oracle.value("work", json::object()); const auto& [run, work] : part.items())
     for (const auto& [id, value] : work.items()) truth.work[run][id] = number(value);
-  for (const auto& [run, error] : oracle.value("held_out_error", json::object()).items())
+  for (const json part = oracle.value("held_out_error", json::object()); const auto& [run, error] : part.items())
     if (error.contains("base")) truth.held[run] = {error["base"], error["ideal"]};
   return truth;
 }
