@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 
 #include "../design/closed_form.h"
 #include "apc/base/require.h"
@@ -90,10 +91,16 @@ TEST(Tornado, MovesEachInputByItselfAndPutsTheLargestFirst) {
   ASSERT_EQ(out.bars.size(), 8u);
   for (std::size_t i = 0; i + 1 < out.bars.size(); ++i) EXPECT_GE(out.bars[i].reach, out.bars[i + 1].reach);
   for (const auto& bar : out.bars) {
-    if (bar.input == "exit speed")
-      EXPECT_LT(bar.distance_low, out.distance), EXPECT_GT(bar.distance_high, out.distance);
-    if (bar.input == "bed strength") EXPECT_GT(bar.distance_low, out.distance);
-    if (bar.input == "pitch inertia") EXPECT_NEAR(bar.reach, 0.0, 1e-9);  // the closed form does not know it
+    if (bar.input == "exit speed") {
+      EXPECT_LT(bar.distance_low, out.distance);
+      EXPECT_GT(bar.distance_high, out.distance);
+    }
+    if (bar.input == "bed strength") {
+      EXPECT_GT(bar.distance_low, out.distance);
+    }
+    if (bar.input == "pitch inertia") {
+      EXPECT_NEAR(bar.reach, 0.0, 1e-9);  // the closed form does not know it
+    }
   }
 }
 
