@@ -40,6 +40,8 @@ void add_loads(CLI::App&, Settings&);
 void add_sph(CLI::App&, Settings&);
 void add_study(CLI::App&, Settings&);
 void add_design(CLI::App&, Settings&);
+void add_reliability(CLI::App&, Settings&);
+void add_report(CLI::App&, Settings&);
 void add_check(CLI::App&, Settings&);
 void add_describe(CLI::App&, Settings&);
 void add_list(CLI::App&, Settings&);

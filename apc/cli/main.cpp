@@ -75,6 +75,8 @@ int run(const std::vector<std::string>& words) {
   add_simulate(program, settings);
   add_study(program, settings);
   add_design(program, settings);
+  add_reliability(program, settings);
+  add_report(program, settings);
   add_loads(program, settings);
   add_sph(program, settings);
   add_check(program, settings);
