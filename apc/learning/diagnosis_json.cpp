@@ -1,5 +1,6 @@
 #include "apc/learning/diagnosis_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -173,18 +174,25 @@ std::vector<effects::Applied> effects_of_diagnosis(const std::filesystem::path& 
 
 void write_predictions(const Study& study, const std::filesystem::path& folder) {
   const Background& b = study.background;
+  // The nuisances that were fitted together with the same effects; with any others the effects would count twice.
+  const auto ids = [](const std::vector<effects::Applied>& list) {
+    std::vector<std::string> names;
+    for (const auto& applied : list) names.push_back(applied.effect.id);
+    std::sort(names.begin(), names.end());
+    return names;
+  };
   Eigen::VectorXd eta = b.eta;
+  std::vector<effects::Applied> added = study.diagnosis.augmented;
   for (const Explanation& x : study.diagnosis.explanations)
-    if (x.fitted && !study.diagnosis.augmented.empty() && x.fit.effects.size() == study.diagnosis.augmented.size() &&
-        x.fit.effects.front().values == study.diagnosis.augmented.front().values) {
+    if (x.fitted && !added.empty() && ids(x.fit.effects) == ids(added)) {
       eta = x.fit.eta;
+      added = x.fit.effects;
       break;
     }
   for (std::size_t r = b.training; r < b.runs.size(); ++r) {
     const std::string base = prediction_csv(b, r, b.eta, {});
     write_text(folder / (b.runs[r].id + ".base.csv"), base);
-    write_text(folder / (b.runs[r].id + ".augmented.csv"),
-               study.diagnosis.augmented.empty() ? base : prediction_csv(b, r, eta, study.diagnosis.augmented));
+    write_text(folder / (b.runs[r].id + ".augmented.csv"), added.empty() ? base : prediction_csv(b, r, eta, added));
   }
 }
 
