@@ -44,8 +44,12 @@ TEST(Interrupt, LeavesAnOverrunWholeOrNotThereAtAnyMoment) {
     EXPECT_TRUE(said.exit_code == 0 || said.exit_code == 130) << said.exit_code << said.err;
     expect_no_half_file(folder);
     const auto page = folder.path() / "o/report.html";
-    if (said.exit_code == 0) EXPECT_TRUE(std::filesystem::exists(page));
-    if (std::filesystem::exists(page)) EXPECT_TRUE(text_of(page).ends_with("</body></html>\n"));
+    if (said.exit_code == 0) {
+      EXPECT_TRUE(std::filesystem::exists(page));
+    }
+    if (std::filesystem::exists(page)) {
+      EXPECT_TRUE(text_of(page).ends_with("</body></html>\n"));
+    }
   }
 }
 
