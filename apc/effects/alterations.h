@@ -51,8 +51,8 @@ struct Alterations {
   Conditions conditions;
   std::shared_ptr<const Guide> guide;  ///< null: the run is free
 
-  bool alter_tires() const;  ///< false: tires see the plain tables
-  bool alter_thrust() const;  ///< a force that depends on time acts, the guide included
+  bool alter_tires() const;          ///< false: tires see the plain tables
+  bool alter_thrust() const;         ///< a force that depends on time acts, the guide included
   double thrust(double time) const;  ///< N forward, all effects
 };
 
