@@ -175,11 +175,13 @@ void add_learning(CLI::App& program, Settings& settings) {
   compare->add_option("--model", compare_words->model, "overlay with effects (apc-model/1)");
   compare->callback([&settings, w = compare_words] { compare_case(*w, settings, false); });
 
-  const auto [diagnose, diagnose_words] = command("diagnose", "which effect is missing");
+  const auto [diagnose, diagnose_words] =
+      command("diagnose", "which effect is missing (experimental: probabilities not calibrated)");
   diagnose->add_option("-o,--out", diagnose_words->out, "folder for diagnosis and predictions of held-out runs");
   diagnose->callback([&settings, w = diagnose_words] { diagnose_case(*w, settings); });
 
-  const auto [add, add_words] = command("add", "adds what a diagnosis found to the model, as an overlay");
+  const auto [add, add_words] =
+      command("add", "adds what a diagnosis found to the model, as an overlay (experimental)");
   add->add_option("--from", add_words->from, "diagnosis.json")->required();
   add->add_option("-o,--out", add_words->out, "overlay to write");
   add->add_flag("--force", add_words->force, "even when the error does not fall");
@@ -191,7 +193,8 @@ void add_learning(CLI::App& program, Settings& settings) {
 
   const auto [learn, learn_words] = command(
       "learn",
-      "compare, diagnose, add, predict; one report. Exit 0 found, 4 nothing, 5 ambiguous, 6 unexplained, 7 sensor");
+      "compare, diagnose, add, predict; one report (experimental: probabilities not calibrated). Exit 0 found, 4 "
+      "nothing, 5 ambiguous, 6 unexplained, 7 sensor");
   learn->add_option("-o,--out", learn_words->out, "folder for the report");
   learn->callback([&settings, w = learn_words] { learn_case(*w, settings); });
 }

@@ -39,7 +39,11 @@ learning::Study study_of(const learning::Case& data, const LearnWords& words, co
 
 std::string verdict_text(const learning::Study& study) {
   const learning::Diagnosis& d = study.diagnosis;
-  std::string out = fmt::format("VERDICT  {}", learning::text(d.verdict));
+  std::string out =
+      "warning: experimental. The probabilities are not calibrated: on the documented example this names a wrong "
+      "effect\n"
+      "with 0.94. Take the ranking as a hint where to look, and quote none of it.\n" +
+      fmt::format("VERDICT  {}", learning::text(d.verdict));
   if (!d.learned.empty()) out += ": a force that follows \"" + d.learned + "\", none of the catalogue";
   out += "\n";
   for (const auto& claim : d.claims) {

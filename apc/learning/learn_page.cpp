@@ -104,7 +104,10 @@ std::string learn_page(const Study& study) {
       "circle{fill:#888}.model{fill:none;stroke:#b40;stroke-width:1.6}table{border-collapse:collapse}td,th{padding:2px "
       "10px;text-align:left;border-bottom:1px solid #ddd}"
       "</style><h1>" +
-      b.data->title + "</h1><p><strong>Verdict: " + text(d.verdict) + "</strong>";
+      b.data->title +
+      "</h1><p style='color:#a00'><strong>Experimental: the probabilities are not calibrated; quote none "
+      "of them.</strong></p><p><strong>Verdict: " +
+      text(d.verdict) + "</strong>";
   if (!d.learned.empty()) page += ": a force that follows \"" + d.learned + "\", none of the catalogue";
   page +=
       ".</p><h2>What explains the runs</h2><p>Probability after the background: block scatter, table error, entry "
