@@ -86,21 +86,29 @@ void Hdf5Writer::integers(const std::string& path, const std::vector<std::int64_
   write_dataset(file_, path, H5T_NATIVE_INT64, H5T_STD_I64LE, {values.size()}, values.data(), "");
 }
 
+namespace {
+
+/// The object at `path`; a group that is not there yet is made, with the groups above it.
+hid_t open_or_make(hid_t file, const std::string& path) {
+  const bool root = path.empty() || path == "/";
+  for (std::size_t slash = 0; !root && slash != std::string::npos;) {
+    slash = path.find('/', slash + 1);
+    const auto upper = path.substr(0, slash);
+    if (H5Lexists(file, upper.c_str(), H5P_DEFAULT) <= 0)
+      H5Gclose(H5Gcreate2(file, upper.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+  return H5Oopen(file, root ? "/" : path.c_str(), H5P_DEFAULT);
+}
+
+}  // namespace
+
 void Hdf5Writer::attribute(const std::string& group, const std::string& name, const std::string& text) {
-  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links, 1);
-  const bool root = group.empty() || group == "/";
-  if (!root && H5Lexists(file_, group.c_str(), H5P_DEFAULT) <= 0)
-    H5Gclose(H5Gcreate2(file_, group.c_str(), links, H5P_DEFAULT, H5P_DEFAULT));
-  const Handle object(H5Oopen(file_, root ? "/" : group.c_str(), H5P_DEFAULT), H5Oclose);
+  const Handle object(open_or_make(file_, group), H5Oclose);
   write_text_attribute(object, name, text);
 }
 
 void Hdf5Writer::attribute(const std::string& group, const std::string& name, double number) {
-  const bool root = group.empty() || group == "/";
-  if (!root && H5Lexists(file_, group.c_str(), H5P_DEFAULT) <= 0)
-    H5Gclose(H5Gcreate2(file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-  const Handle object(H5Oopen(file_, root ? "/" : group.c_str(), H5P_DEFAULT), H5Oclose);
+  const Handle object(open_or_make(file_, group), H5Oclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
   const Handle attribute(H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   expect(attribute.good() && H5Awrite(attribute, H5T_NATIVE_DOUBLE, &number) >= 0, "HDF5 attribute ", name);

@@ -54,15 +54,6 @@ std::vector<double> read_margins(const std::string& text) {
   return out;
 }
 
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
-  return text;
-}
-
 void run_design(const Words& words, Settings& settings) {
   design::SizeOptions size;
   size.objective = read_objective(words.objective);

@@ -8,6 +8,7 @@
 #include "apc/base/quantity.h"
 #include "apc/base/require.h"
 #include "apc/report/sha256.h"
+#include "apc/simulation/table_tire.h"
 #include "loadtables/find_tables.h"
 
 namespace apc::cli {
@@ -47,18 +48,6 @@ aircraft::TireLibrary read_tires(const fs::path& tires, const fs::path& aircraft
 
 namespace {
 
-loadtables::TableTire table_tire(const aircraft::Tire& tire) {
-  return {tire.name,
-          tire.diameter,
-          tire.width,
-          tire.rated_load,
-          tire.rated_deflection,
-          tire.bottoming_load,
-          tire.bottoming_deflection,
-          tire.load_curve.x(),
-          tire.load_curve.y()};
-}
-
 /// One table per tire of the aircraft, in the bed's material.
 std::vector<loadtables::LoadTable> choose_tables(const fs::path& folder, const fs::path& bed_file,
                                                  const aircraft::Aircraft& plane, const std::string& material,
@@ -78,7 +67,7 @@ std::vector<loadtables::LoadTable> choose_tables(const fs::path& folder, const f
   std::vector<loadtables::LoadTable> chosen;
   for (const auto& gear : plane.gears) {
     if (!needed.insert(gear.tire).second) continue;
-    chosen.push_back(loadtables::find_table(folder, material, table_tire(plane.tires.at(gear.tire))));
+    chosen.push_back(loadtables::find_table(folder, material, simulation::table_tire(plane.tires.at(gear.tire))));
     for (const auto& file : known)
       if (file.tire == gear.tire && file.material == material) {
         files.push_back(note("load table", file.path, chosen.back().provenance().source));

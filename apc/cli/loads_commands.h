@@ -26,7 +26,6 @@ void add_loads_check(CLI::App& loads, Settings&);
 
 /// A tire of the shipped library, or of `library` when it is given. InputError with the nearest name.
 aircraft::Tire find_tire(const std::string& name, const std::filesystem::path& library);
-loadtables::TableTire table_tire(const aircraft::Tire&);
 
 /// Today's date, UTC, "2024-05-31".
 std::string today();

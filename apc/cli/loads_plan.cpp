@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <ctime>
 #include <memory>
 
 #include "aircraft/aircraft.h"
 #include "apc/base/file.h"
 #include "apc/base/require.h"
 #include "apc/base/units.h"
+#include "apc/cli/inputs.h"
 #include "apc/cli/loads_commands.h"
+#include "apc/simulation/table_tire.h"
 #include "loadtables/infill.h"
 
 namespace apc::cli {
@@ -30,26 +31,7 @@ aircraft::Tire find_tire(const std::string& name, const fs::path& library) {
                           ". Another library: --tires FILE"));
 }
 
-loadtables::TableTire table_tire(const aircraft::Tire& tire) {
-  return {tire.name,
-          tire.diameter,
-          tire.width,
-          tire.rated_load,
-          tire.rated_deflection,
-          tire.bottoming_load,
-          tire.bottoming_deflection,
-          tire.load_curve.x(),
-          tire.load_curve.y()};
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm date{};
-  gmtime_r(&now, &date);
-  char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", &date);
-  return text;
-}
+std::string today() { return utc_now().substr(0, 10); }
 
 namespace {
 
@@ -76,7 +58,7 @@ void plan(const PlanWords& words, const Settings& settings) {
   std::error_code error;
   require(!fs::exists(words.out / "plan.json", error), words.out.string(),
           ": already holds a plan. Go on with it (apc loads run), or choose another folder with -o");
-  const auto made = make_plan(table_tire(find_tire(words.tire, words.tires)), words.material, options);
+  const auto made = make_plan(simulation::table_tire(find_tire(words.tire, words.tires)), words.material, options);
   write_plan(made, words.out);
   if (settings.quiet) return;
   fmt::print(

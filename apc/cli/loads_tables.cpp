@@ -9,6 +9,7 @@
 #include "apc/base/require.h"
 #include "apc/base/units.h"
 #include "apc/cli/loads_commands.h"
+#include "apc/simulation/table_tire.h"
 #include "loadtables/fit.h"
 #include "loadtables/load_table_data.h"
 
@@ -59,7 +60,7 @@ void import_samples(const Words& words, const Settings& settings) {
   const auto beside = words.input.parent_path() / "tires.json";
   std::error_code error;
   const auto library = !words.tires.empty() || !fs::is_regular_file(beside, error) ? words.tires : beside;
-  const auto tire = table_tire(find_tire(words.name.empty() ? samples.tire : words.name, library));
+  const auto tire = simulation::table_tire(find_tire(words.name.empty() ? samples.tire : words.name, library));
   loadtables::Provenance from;
   from.material = samples.material;
   from.source = samples.source;

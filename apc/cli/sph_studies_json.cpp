@@ -2,13 +2,13 @@
 #include <nlohmann/json.hpp>
 
 #include "apc/cli/sph_studies.h"
+#include "apc/report/manifest_json.h"
 
 namespace apc::cli {
 namespace {
 
 using Value = nlohmann::ordered_json;
-
-Value number_or_null(double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); }
+using report::number_or_null;
 
 Value run_json(const sph::Verification& run) {
   Value out{

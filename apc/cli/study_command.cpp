@@ -102,15 +102,6 @@ study::Axes read_axes(const Words& words) {
   return axes;
 }
 
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M UTC", &parts);
-  return text;
-}
-
 struct Loaded {
   std::vector<simulation::Model> models;
   std::vector<report::InputFile> files;

@@ -5,23 +5,12 @@
 #include "apc/base/require.h"
 #include "apc/learning/data_check.h"
 #include "apc/learning/run_json.h"
+#include "apc/simulation/table_tire.h"
 #include "loadtables/fit.h"
 #include "loadtables/samples.h"
 
 namespace apc::learning {
 namespace {
-
-loadtables::TableTire table_tire(const aircraft::Tire& tire) {
-  return {tire.name,
-          tire.diameter,
-          tire.width,
-          tire.rated_load,
-          tire.rated_deflection,
-          tire.bottoming_load,
-          tire.bottoming_deflection,
-          tire.load_curve.x(),
-          tire.load_curve.y()};
-}
 
 void read_tables(const Json& file, Case& data) {
   std::vector<loadtables::LoadTable> tables;
@@ -38,7 +27,7 @@ void read_tables(const Json& file, Case& data) {
       provenance.source = samples.source;
       loadtables::FitOptions options;
       if (data.bed.nominal) options.strength = data.bed.nominal->strength;
-      tables.push_back(loadtables::fit(samples, table_tire(tire->second), provenance, options));
+      tables.push_back(loadtables::fit(samples, simulation::table_tire(tire->second), provenance, options));
       quoted[samples.tire] = {samples.drag_rms, samples.vertical_rms};
     } else {
       tables.push_back(loadtables::load_table(path));

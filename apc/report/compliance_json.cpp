@@ -2,12 +2,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apc/report/compliance_record.h"
+#include "apc/report/manifest_json.h"
 
 namespace apc::report {
 
 std::string compliance_json(const ComplianceRecord& record) {
   using Value = nlohmann::ordered_json;
-  const auto number_or_null = [](double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); };
   Value out{{"schema", "apc-compliance/1"},
             {"bed", record.design.bed.name},
             {"requirements", Value::array()},
@@ -27,11 +27,7 @@ std::string compliance_json(const ComplianceRecord& record) {
                             {"stop_distance_range", {number_or_null(each.stop_low), number_or_null(each.stop_high)}},
                             {"use_range", {each.use_low, each.use_high}}});
   }
-  out["provenance"] = {
-      {"program", record.manifest.version}, {"command", record.manifest.command}, {"files", Value::array()}};
-  for (const auto& file : record.manifest.files)
-    out["provenance"]["files"].push_back(
-        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
+  out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 

@@ -3,13 +3,12 @@
 
 #include "apc/base/units.h"
 #include "apc/report/design_record.h"
+#include "apc/report/manifest_json.h"
 
 namespace apc::report {
 namespace {
 
 using Value = nlohmann::ordered_json;
-
-Value number_or_null(double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); }
 
 /// "12.19 m": as many digits as a double needs to come back.
 std::string metres(double value) { return Value(value).dump() + " m"; }
@@ -115,11 +114,7 @@ std::string design_json(const DesignRecord& record) {
   out["gave_up"] = design.gave_up;
   out["seconds"] = record.seconds;
   out["fleet"] = Value::parse(record.fleet_text);
-  out["provenance"] = {
-      {"program", record.manifest.version}, {"command", record.manifest.command}, {"files", Value::array()}};
-  for (const auto& file : record.manifest.files)
-    out["provenance"]["files"].push_back(
-        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
+  out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 

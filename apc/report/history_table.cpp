@@ -46,7 +46,7 @@ namespace {
 
 /// What identifies the run, as text: the same lines in both files.
 std::map<std::string, std::string> identity(const OverrunRecord& record) {
-  std::map<std::string, std::string> lines = record.result.provenance;
+  std::map<std::string, std::string> lines;
   lines["aircraft"] = record.model.aircraft.name;
   lines["bed"] = record.model.bed.name;
   lines["outcome"] = simulation::text(record.result.outcome);

@@ -212,8 +212,6 @@ std::string manifest_table(const OverrunRecord& record) {
                          number(static_cast<double>(solver.rhs_calls), 0), solver.jacobians, solver.error_test_failures,
                          solver.wall_s));
   for (const auto& file : record.manifest.files) out += file_row(file);
-  for (const auto& [key, value] : record.result.provenance)
-    out += row(escaped(key), "<code>" + escaped(value) + "</code>");
   return out + "</tbody></table>\n";
 }
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apc/report/manifest_json.h"
+
 namespace apc::report {
 namespace {
 
 using Value = nlohmann::ordered_json;
 
 /// JSON knows no NaN: a quantity that does not exist is null.
-Value number_or_null(double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); }
-
 Value gear_json(const simulation::GearSummary& gear) {
   Value out;
   out["struts"] = gear.struts;
@@ -55,18 +55,6 @@ Value inputs_json(const OverrunRecord& record) {
   out["method"] = record.options.method == simulation::Method::fast ? "fast" : "reference";
   out["rtol"] = record.options.rtol;
   out["sampling"] = record.options.sampling;
-  return out;
-}
-
-Value provenance_json(const OverrunRecord& record) {
-  Value out;
-  out["program"] = record.manifest.version;
-  out["command"] = record.manifest.command;
-  for (const auto& [key, value] : record.result.provenance) out[key] = value;
-  out["files"] = Value::array();
-  for (const auto& file : record.manifest.files)
-    out["files"].push_back(
-        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
   return out;
 }
 
@@ -114,7 +102,7 @@ std::string result_json(const OverrunRecord& record) {
                    {"error_test_failures", result.solver.error_test_failures},
                    {"newton_failures", result.solver.newton_failures},
                    {"wall_s", result.solver.wall_s}};
-  out["provenance"] = provenance_json(record);
+  out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 

@@ -1,14 +1,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apc/report/manifest_json.h"
 #include "apc/report/rolling_record.h"
 
 namespace apc::report {
 namespace {
 
 using Value = nlohmann::ordered_json;
-
-Value number_or_null(double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); }
 
 }  // namespace
 
@@ -44,11 +43,7 @@ std::string rolling_json(const RollingRecord& record) {
   out["inputs"] = {{"name", record.name},       {"tire", record.tire},           {"material", record.material},
                    {"speed", record.speed},     {"bed_depth", record.bed_depth}, {"penetration", record.penetration},
                    {"spacing", record.spacing}, {"friction", record.friction}};
-  out["provenance"] = {
-      {"program", record.manifest.version}, {"command", record.manifest.command}, {"files", Value::array()}};
-  for (const auto& file : record.manifest.files)
-    out["provenance"]["files"].push_back(
-        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
+  out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 

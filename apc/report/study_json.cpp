@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apc/report/manifest_json.h"
 #include "apc/report/result_json.h"
 #include "apc/report/study_record.h"
 
@@ -8,8 +9,6 @@ namespace apc::report {
 namespace {
 
 using Value = nlohmann::ordered_json;
-
-Value number_or_null(double value) { return std::isfinite(value) ? Value(value) : Value(nullptr); }
 
 Value list(const std::vector<double>& values) {
   auto out = Value::array();
@@ -77,11 +76,7 @@ std::string study_json(const StudyRecord& record) {
   for (const auto& each : record.tornados) out["tornados"].push_back(tornado_json(each));
   out["seconds"] = record.seconds;
   out["remembered"] = record.remembered;
-  out["provenance"] = {
-      {"program", record.manifest.version}, {"command", record.manifest.command}, {"files", Value::array()}};
-  for (const auto& file : record.manifest.files)
-    out["provenance"]["files"].push_back(
-        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
+  out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "apc/report/manifest_json.h"
 #include "apc/report/study_reliability.h"
 
 namespace apc::report {
@@ -58,11 +59,7 @@ std::string reliability_json(const ReliabilityRecord& record) {
                     {"per_year", s.per_year}};
   out["exit_speeds"] = {{"scale", record.exit_speeds.scale}, {"shape", record.exit_speeds.shape}};
   out["seconds"] = record.seconds;
-  out["provenance"] = {
-      {"program", record.manifest.version}, {"command", record.manifest.command}, {"files", Value::array()}};
-  for (const auto& file : record.manifest.files)
-    out["provenance"]["files"].push_back(
-        {{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"source", file.source}});
+  out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }
 

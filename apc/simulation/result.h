@@ -1,4 +1,4 @@
-/// What came out of one overrun: outcome, histories, extremes, energy, table coverage, solver statistics, provenance.
+/// What came out of one overrun: outcome, histories, extremes, energy, table coverage, solver statistics.
 /// A value; reports only read it. SI throughout.
 #pragma once
 
@@ -81,8 +81,7 @@ struct Result {
   double mass = 0.0, cg_behind_nose_gear = 0.0;  ///< as simulated
   std::vector<std::string> warnings;             ///< first lines of every report: table left, strut bottomed, …
   SolverStatistics solver;
-  History history;                                ///< empty when Options::sampling is 0
-  std::map<std::string, std::string> provenance;  ///< inputs, their hashes, tables, versions
+  History history;  ///< empty when Options::sampling is 0
 };
 
 }  // namespace apc::simulation

@@ -96,8 +96,6 @@ std::string to_text(const simulation::Result& result) {
   for (const auto& [sink, energy] : result.energy) way.field(sink), way.field(energy);
   way.count(result.warnings.size());
   for (const auto& warning : result.warnings) way.field(warning);
-  way.count(result.provenance.size());
-  for (const auto& [key, value] : result.provenance) way.field(key), way.field(value);
   return way.text;
 }
 
@@ -118,10 +116,6 @@ simulation::Result result_from(const std::string& text) {
   }
   result.warnings.resize(way.count(0));
   for (auto& warning : result.warnings) way.field(warning);
-  for (std::size_t left = way.count(0); left > 0; --left) {
-    const auto key = way.next();
-    way.field(result.provenance[key]);
-  }
   return result;
 }
 

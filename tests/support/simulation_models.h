@@ -10,6 +10,7 @@
 #include "apc/base/file.h"
 #include "apc/base/units.h"
 #include "apc/simulation/simulate.h"
+#include "apc/simulation/table_tire.h"
 #include "loadtables/crush_balance.h"
 #include "loadtables/load_table_data.h"
 
@@ -20,24 +21,12 @@ inline aircraft::Aircraft shipped_aircraft(const std::string& name) {
   return aircraft::load_aircraft(folder / (name + ".json"), aircraft::load_tires(folder / "tires.json"));
 }
 
-inline loadtables::TableTire table_tire(const aircraft::Tire& tire) {
-  return {tire.name,
-          tire.diameter,
-          tire.width,
-          tire.rated_load,
-          tire.rated_deflection,
-          tire.bottoming_load,
-          tire.bottoming_deflection,
-          tire.load_curve.x(),
-          tire.load_curve.y()};
-}
-
 /// Loads that are affine in speed and in penetration (product terms allowed); the spline then holds them exactly.
 using AffineLaw = std::function<TireLoad(double speed, double penetration)>;
 
 inline loadtables::LoadTable exact_table(const aircraft::Tire& tire, const AffineLaw& law) {
   auto data = std::make_shared<loadtables::LoadTable::Data>();
-  data->tire = table_tire(tire);
+  data->tire = simulation::table_tire(tire);
   data->provenance.material = "closed form";
   data->penetration = loadtables::penetration_scale(data->tire);
   data->speed = loadtables::axis(0.0, 80.0, 5);
@@ -95,7 +84,7 @@ inline loadtables::CrushBalance crush_law(const aircraft::Tire& tire, double str
 inline loadtables::LoadTable foam_table(const aircraft::Tire& tire, double strength = 50 * units::psi, int refine = 1) {
   const auto law = crush_law(tire, strength);
   auto data = std::make_shared<loadtables::LoadTable::Data>();
-  data->tire = table_tire(tire);
+  data->tire = simulation::table_tire(tire);
   data->provenance.material = "closed form";
   data->penetration = loadtables::penetration_scale(data->tire);
   data->speed = loadtables::axis(0.0, 40.0, 4);

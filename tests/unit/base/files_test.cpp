@@ -92,6 +92,11 @@ TEST_F(Files, Hdf5GivesBackArraysTextsAndNumbers) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(Files, Hdf5AttributesMakeTheGroupsTheyNeed) {
+  save_hdf5(folder / "deep.h5", [](Hdf5Writer& file) { file.attribute("fit/drag", "rms", 0.25); });
+  EXPECT_EQ(Hdf5Reader(folder / "deep.h5").number("fit/drag", "rms"), 0.25);
+}
+
 TEST_F(Files, Hdf5RefusesTruncatedForeignAndIncompleteFiles) {
   const auto path = folder / "x.h5";
   save_hdf5(path, [](Hdf5Writer& file) { file.array("x", std::vector<double>(5000, 1.0), "m"); });

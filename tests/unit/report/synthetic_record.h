@@ -125,7 +125,6 @@ inline OverrunRecord record() {
                    {"oleo_gas", 0.2e6},     {"tires", 0.4e6},          {"residual", 3.4e-9}};
   result.warnings = {"nose: 7.0 % of the time in the bed was slower than the load table's range (10 kt)"};
   result.solver = {"CVODE BDF", 812, 1203, 61, 14, 2, 0.021, 1e-6};
-  result.provenance = {{"integrator", "SUNDIALS CVODES 6.4.1"}};
   out.manifest = {"apc 0.1.0",
                   "apc simulate --aircraft Testjet-200 --bed test --speed \"70 kt\"",
                   "2020-01-01 00:00 UTC",
