@@ -18,6 +18,8 @@ Eigen::VectorXd solve_on(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, con
 
 }  // namespace
 
+bool certified(const Certificate& certificate) { return certificate.agreed && certificate.stationarity <= 0.05; }
+
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
   std::vector<Eigen::Index> chosen;

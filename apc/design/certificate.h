@@ -27,6 +27,10 @@ struct Certificate {
   bool agreed = false;         ///< difference ≤ 0.5 % and both feasible
 };
 
+/// Two methods agree and the first-order conditions hold there: the constraints' pull leaves at most a twentieth of the
+/// objective's gradient. Agreement alone is no certificate: two methods can stop at the same place short of an optimum.
+bool certified(const Certificate&);
+
 /// x ≥ 0 that minimises |A x − b|.
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 

@@ -57,6 +57,9 @@ struct Fleet {
 Fleet load_fleet(const std::filesystem::path&);
 Fleet read_fleet(const Json&);
 
+/// "nose drag, main drag" or "all known gear loads": what the design watched.
+std::string counted_loads(const Limits&);
+
 /// Whether a load of a gear counts; "main" stands for every gear that is not the nose gear.
 bool counts(const Limits&, const std::string& gear, const std::string& load);
 

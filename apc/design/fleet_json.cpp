@@ -154,6 +154,12 @@ bool counts(const Limits& limits, const std::string& gear, const std::string& lo
   return limits.loads.empty() || std::find(limits.loads.begin(), limits.loads.end(), name) != limits.loads.end();
 }
 
+std::string counted_loads(const Limits& limits) {
+  std::string out;
+  for (const auto& load : limits.loads) out += (out.empty() ? "" : ", ") + load;
+  return out.empty() ? "all known gear loads" : out;
+}
+
 std::vector<std::string> aircraft_names(const Fleet& fleet) {
   std::vector<std::string> names;
   for (const auto& each : fleet.cases)

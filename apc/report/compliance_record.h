@@ -12,8 +12,8 @@ namespace apc::report {
 /// One case in the bed as built, and with the load tables wrong by their own error.
 struct ComplianceCase {
   simulation::Model model;
-  simulation::Result result;                      ///< reference method, with history
-  double use = 0.0;                               ///< largest load over its limit
+  simulation::Result result;  ///< reference method, with history
+  double use = 0.0;           ///< largest load over its limit, of all known gear limits, counted by the design or not
   double arrest_speed = 0.0, intact_speed = 0.0;  ///< m/s
   double table_error = 0.0;                       ///< relative, the largest leave-one-out error of drag of its tables
   double stop_low = 0.0, stop_high = 0.0;         ///< m, drag and vertical load scaled by 1 ± table_error

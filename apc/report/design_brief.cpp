@@ -24,7 +24,10 @@ void add_certificate(std::string& out, const DesignRecord& record) {
   out += fmt::format(
       "\n  certificate    {} and {} from two starts differ by {} ({}); gradients within {}, stationarity {:.1e}\n",
       design::text(certificate.first.method), design::text(certificate.second.method),
-      percent(certificate.difference, 3), certificate.agreed ? "agreed" : "NOT agreed",
+      percent(certificate.difference, 3),
+      !certificate.agreed              ? "NOT agreed"
+      : design::certified(certificate) ? "certified"
+                                       : "agreed, but the optimum is NOT shown",
       percent(certificate.gradient_error, 2), certificate.stationarity);
   double shown_weight = 0.0;
   for (const auto& active : certificate.active) {
@@ -42,6 +45,9 @@ std::string design_brief(const DesignRecord& record, UnitSystem units) {
   const auto distance = [&](double value) { return shown(value, measure::distance, units); };
   std::string out = fmt::format("Bed for \"{}\", objective {}, {} criterion\n\n", record.fleet.name,
                                 design::text(design.objective), study::text(record.fleet.limits.criterion));
+  if (!record.fleet.limits.loads.empty())
+    out += "  counted        " + design::counted_loads(record.fleet.limits) +
+           " only; apc report judges by every known gear limit\n";
   if (design.uniform.length > 0)
     out += fmt::format("  one depth      {} deep, {} long{}; a deeper one is forbidden by {}\n",
                        shown(design.uniform.depth, measure::depth, units), distance(design.uniform.length),

@@ -39,6 +39,7 @@ Value certificate_value(const DesignRecord& record) {
   Value out{{"methods", {design::text(certificate.first.method), design::text(certificate.second.method)}},
             {"difference", certificate.difference},
             {"agreed", certificate.agreed},
+            {"certified", design::certified(certificate)},
             {"gradient_error", certificate.gradient_error},
             {"stationarity", certificate.stationarity},
             {"optima", {optimum_value(certificate.first), optimum_value(certificate.second)}},

@@ -23,7 +23,8 @@ std::string cards(const DesignRecord& record) {
   out += card(design.built.worst_use <= 1 ? "good" : "bad", "Largest load", percent(design.built.worst_use, 1),
               "of its " + std::string(study::text(record.fleet.limits.criterion)) + ": " +
                   escaped(describe(design.built.worst, record.fleet)));
-  out += card(certificate.agreed ? "good" : "warn", certificate.agreed ? "Certified optimum" : "Not certified",
+  const bool certified = design::certified(certificate);
+  out += card(certified ? "good" : "warn", certified ? "Certified optimum" : "Optimality not shown",
               percent(certificate.difference, 3),
               std::string("between ") + design::text(certificate.first.method) + " and " +
                   design::text(certificate.second.method) + ", from two starts");
@@ -188,13 +189,15 @@ std::string rows_section(const DesignRecord& record) {
 
 std::string design_page(const DesignRecord& record) {
   const auto& design = record.design;
-  std::string header = fmt::format("<h1>Bed for {}</h1><p class=\"sub\">objective: {}; {} criterion; {} cases</p>\n",
-                                   escaped(record.fleet.name),
-                                   design.objective == design::Objective::length    ? "shortest bed"
-                                   : design.objective == design::Objective::volume  ? "least material"
-                                   : design.objective == design::Objective::minimax ? "fairest to all aircraft"
-                                                                                    : "highest speed in a given length",
-                                   study::text(record.fleet.limits.criterion), record.fleet.cases.size());
+  std::string header =
+      fmt::format("<h1>Bed for {}</h1><p class=\"sub\">objective: {}; {} criterion, counting {}; {} cases</p>\n",
+                  escaped(record.fleet.name),
+                  design.objective == design::Objective::length    ? "shortest bed"
+                  : design.objective == design::Objective::volume  ? "least material"
+                  : design.objective == design::Objective::minimax ? "fairest to all aircraft"
+                                                                   : "highest speed in a given length",
+                  study::text(record.fleet.limits.criterion), escaped(design::counted_loads(record.fleet.limits)),
+                  record.fleet.cases.size());
   header += cards(record);
   std::string body;
   if (design.feasible) {

@@ -72,12 +72,15 @@ std::string levels(const Chart& chart, const Axis& across, const Axis& up) {
         escaped(level.name),
         either("tspan", shown(level.value, chart.up, UnitSystem::field), shown(level.value, chart.up, UnitSystem::si)));
   }
-  for (const auto& line : chart.verticals)
+  for (const auto& line : chart.verticals) {
+    const double at = across(line.value);
+    const bool leftward = at > 0.6 * width;  // its name then stands left of it, inside the picture
     out += fmt::format(
         "<path class=\"level {0}\" d=\"M{1},{2}V{3}\"/><text class=\"name {0}\" x=\"{4}\" y=\"{5}\" "
-        "text-anchor=\"start\">{6}</text>",
-        line.look, pixel(across(line.value)), top, height - bottom, pixel(across(line.value) + 4), top + 12,
-        escaped(line.name));
+        "text-anchor=\"{6}\">{7}</text>",
+        line.look, pixel(at), top, height - bottom, pixel(leftward ? at - 4 : at + 4), top + 12,
+        leftward ? "end" : "start", escaped(line.name));
+  }
   return out;
 }
 

@@ -14,6 +14,7 @@ const char* const more_style = R"css(
 .curve.limit{stroke:var(--limit);stroke-dasharray:7 4}figure.plot .reading{white-space:normal}tbody th{white-space:nowrap}
 .ring{fill:none;stroke:var(--limit);stroke-width:1.6}
 .tornado.low{fill:var(--nose)}.tornado.high{fill:var(--main)}
+figure.plot{max-width:640px}td:nth-child(2) code{display:inline-block;min-width:17em}
 .keys{display:block;font-size:.83rem}.keys .key:first-child{margin-left:0}
 td.pass{color:var(--good);font-weight:600}td.fail{color:var(--bad);font-weight:600}td.open{color:var(--warn);font-weight:600}
 tr.total th,tr.total td{border-top:2px solid var(--line)}.wrap{white-space:normal}

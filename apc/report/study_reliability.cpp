@@ -76,7 +76,7 @@ std::string reliability_page(const ReliabilityRecord& record) {
                 "exit speed",
                 {},
                 {},
-                {{"97.5 %", "limit", 0.975}},
+                {{"line at", "limit", 0.975}},
                 {{"designed for", "total", record.asked_speeds[k]}},
                 "share of samples that handle at least this speed",
                 0.0};
