@@ -92,6 +92,7 @@ void run_reliability(const Words& words, Settings& settings) {
         record.scatter,   record.exit_speeds};
     input.model.bed = design.bed;
     auto limits = design.fleet.limits;
+    limits.loads.clear();        // damage asks for every known gear limit, whatever the design counted
     limits.table_range = false;  // leaving the tables' range is a warning about the model, no damage
     input.use = [&input, limits](const simulation::Result& result) {
       return design::worst_use(result, input.model, limits);
