@@ -1,9 +1,9 @@
 #include "loadtables/load_table.h"
 
-#include <Eigen/Core>
 #include <cmath>
 
 #include "loadtables/load_table_data.h"
+#include "loadtables/spline_sum.h"
 
 namespace apc::loadtables {
 namespace {
@@ -19,11 +19,6 @@ Place place(const LoadTable::Data& data, const TireContact& contact) {
   return {std::abs(contact.speed), DepthScale::at(depth), contact.penetration / scale, scale};
 }
 
-/// Four responses and, per axis, their derivatives.
-struct Point {
-  double value[responses], by_speed[responses], by_u[responses], by_ratio[responses];
-};
-
 const double* line(const LoadTable::Data& data, const Weights& v, int i, const Weights& u, int j, const Weights& r) {
   const std::size_t depth = static_cast<std::size_t>(data.depth.coefficients()),
                     ratio = static_cast<std::size_t>(data.ratio.coefficients());
@@ -33,34 +28,26 @@ const double* line(const LoadTable::Data& data, const Weights& v, int i, const W
              responses;
 }
 
-/// The 4 × 4 coefficients along r are neighbours in memory: they are summed over speed and depth first, as sixteen
-/// independent sums that the compiler keeps in vector registers.
-void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r,
-              double (&value)[responses]) {
-  using Run = Eigen::Array<double, 4 * int(responses), 1>;
-  Run sum = Run::Zero();
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) sum += v.value[i] * u.value[j] * Eigen::Map<const Run>(line(data, v, i, u, j, r));
-  for (std::size_t m = 0; m < responses; ++m)
-    value[m] = r.value[0] * sum[static_cast<Eigen::Index>(m)] + r.value[1] * sum[static_cast<Eigen::Index>(m) + 4] +
-               r.value[2] * sum[static_cast<Eigen::Index>(m) + 8] + r.value[3] * sum[static_cast<Eigen::Index>(m) + 12];
+SplineCell cell(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r) {
+  const std::size_t by_j = static_cast<std::size_t>(data.ratio.coefficients()) * responses;
+  return {line(data, v, 0, u, 0, r),
+          static_cast<std::size_t>(data.depth.coefficients()) * by_j,
+          by_j,
+          v.value,
+          u.value,
+          r.value,
+          v.slope,
+          u.slope,
+          r.slope};
 }
 
-void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r, Point& point) {
-  point = {};
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      const double* c = line(data, v, i, u, j, r);
-      const double vu = v.value[i] * u.value[j], dv = v.slope[i] * u.value[j], du = v.value[i] * u.slope[j];
-      for (std::size_t m = 0; m < responses; ++m) {
-        const double along = r.value[0] * c[m] + r.value[1] * c[4 + m] + r.value[2] * c[8 + m] + r.value[3] * c[12 + m];
-        const double slope = r.slope[0] * c[m] + r.slope[1] * c[4 + m] + r.slope[2] * c[8 + m] + r.slope[3] * c[12 + m];
-        point.value[m] += vu * along;
-        point.by_speed[m] += dv * along;
-        point.by_u[m] += du * along;
-        point.by_ratio[m] += vu * slope;
-      }
-    }
+void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r,
+              double (&value)[responses]) {
+  spline_kernels().value(cell(data, v, u, r), value);
+}
+
+void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r, SplineSums& point) {
+  spline_kernels().slopes(cell(data, v, u, r), point);
 }
 
 /// Continuation z → φ(z) of value/edge value that stays positive: z down to ½, an exponential below; C¹.
@@ -89,23 +76,23 @@ void keep_positive(const LoadTable::Data& data, const Place& at, double (&value)
     if (value[m] < 0.5 * inside[m]) value[m] = inside[m] * positive(value[m] / inside[m]);
 }
 
-void keep_positive(const LoadTable::Data& data, const Place& at, Point& point) {
+void keep_positive(const LoadTable::Data& data, const Place& at, SplineSums& point) {
   const auto edge = nearest_inside(data, at);
-  Point inside;
+  SplineSums inside;
   evaluate(data, weights(data.speed, edge.speed), weights(data.depth, edge.u), weights(data.ratio, edge.ratio), inside);
   if (edge.speed != at.speed)
-    for (auto& slope : inside.by_speed) slope = 0.0;
+    for (auto& slope : inside.by_v) slope = 0.0;
   if (edge.u != at.u)
     for (auto& slope : inside.by_u) slope = 0.0;
   if (edge.ratio != at.ratio)
-    for (auto& slope : inside.by_ratio) slope = 0.0;
+    for (auto& slope : inside.by_r) slope = 0.0;
   for (std::size_t m = drag; m <= rut_depth; ++m) {
     if (point.value[m] >= 0.5 * inside.value[m] || inside.value[m] <= 0.0) continue;
     const double z = point.value[m] / inside.value[m], of_line = positive_slope(z), of_edge = positive(z) - z * of_line;
     point.value[m] = inside.value[m] * positive(z);
-    point.by_speed[m] = of_line * point.by_speed[m] + of_edge * inside.by_speed[m];
+    point.by_v[m] = of_line * point.by_v[m] + of_edge * inside.by_v[m];
     point.by_u[m] = of_line * point.by_u[m] + of_edge * inside.by_u[m];
-    point.by_ratio[m] = of_line * point.by_ratio[m] + of_edge * inside.by_ratio[m];
+    point.by_r[m] = of_line * point.by_r[m] + of_edge * inside.by_r[m];
   }
 }
 
@@ -137,7 +124,7 @@ TireLoad LoadTable::load(const TireContact& contact) const {
 LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
   if (!(contact.penetration > 0.0)) return {};
   const auto at = place(*data_, contact);
-  Point point;
+  SplineSums point;
   evaluate(*data_, weights(data_->speed, at.speed), weights(data_->depth, at.u), weights(data_->ratio, at.ratio),
            point);
   if (outside(*data_, at)) [[unlikely]]
@@ -150,9 +137,9 @@ LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
       contact.bed_depth < 0.0 ? 0.0 : -at.ratio * data_->penetration.slope(depth) * per_penetration;
   const double direction = contact.speed < 0.0 ? -1.0 : 1.0;
   const auto slopes = [&](std::size_t m, double sign) {
-    return Slopes{sign * direction * point.by_speed[m],
-                  sign * (point.by_u[m] * u_by_depth + point.by_ratio[m] * ratio_by_depth),
-                  sign * point.by_ratio[m] * per_penetration};
+    return Slopes{sign * direction * point.by_v[m],
+                  sign * (point.by_u[m] * u_by_depth + point.by_r[m] * ratio_by_depth),
+                  sign * point.by_r[m] * per_penetration};
   };
   return {{point.value[drag], point.value[vertical], point.value[rut_depth], 1.0 - point.value[slip]},
           slopes(drag, 1.0),
