@@ -61,8 +61,11 @@ fs::path shipped(const fs::path& relative) {
 std::vector<std::string> shipped_names(const fs::path& folder, const std::string& extension) {
   std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(shipped(folder), error))
-    if (entry.path().extension() == extension) names.push_back(entry.path().stem().string());
+  for (const auto& entry : fs::directory_iterator(shipped(folder), error)) {
+    const auto name = entry.path().stem().string();
+    // tires.json lies beside the aircraft as their library; nobody can choose it as one.
+    if (entry.path().extension() == extension && name != "tires") names.push_back(name);
+  }
   std::sort(names.begin(), names.end());
   return names;
 }

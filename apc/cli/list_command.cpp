@@ -20,7 +20,6 @@ namespace measure = report::measure;
 TextTable list_aircraft(UnitSystem units) {
   TextTable table{{"name", "mass", "nose to main", "gears", "nose tire", "main tire"}, {}};
   for (const auto& name : shipped_names("aircraft/data")) {
-    if (name == "tires") continue;
     const auto path = resolve(name, "aircraft/data", "aircraft");
     std::vector<report::InputFile> read;
     const auto plane = aircraft::load_aircraft(path, read_tires({}, path, read));

@@ -41,8 +41,8 @@ std::string refusal(const std::string& what, const std::string& with) {
 
 TEST(AircraftFile, ShippedAircraftLoad) {
   const auto tires = load_tires(shipped("aircraft/data") / "tires.json");
-  EXPECT_EQ(tires.size(), 5u);
-  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+  EXPECT_EQ(tires.size(), 7u);
+  for (const auto* name : {"CRJ-200", "B727-100", "B737-800", "B747-400"}) {
     const auto plane = load_aircraft(shipped("aircraft/data") / (std::string(name) + ".json"), tires);
     EXPECT_EQ(plane.name, name);
     EXPECT_TRUE(plane.gears.front().is_nose());

@@ -68,6 +68,13 @@ TEST_F(Files, ShippedNamesResolveAndMisspeltOnesAreHelped) {
   EXPECT_THAT(refusal([&] { resolve(folder.string(), "designs/beds", "bed"); }), HasSubstr("is a folder"));
 }
 
+TEST_F(Files, TheTireLibraryIsNoAircraft) {
+  EXPECT_THAT(shipped_names("aircraft/data"),
+              AllOf(::testing::Contains("B737-800"), ::testing::Not(::testing::Contains("tires"))));
+  EXPECT_THAT(refusal([] { resolve("tyres", "aircraft/data", "aircraft"); }),
+              AllOf(HasSubstr("no such aircraft"), HasSubstr("B737-800"), ::testing::Not(HasSubstr("tires"))));
+}
+
 TEST_F(Files, Hdf5GivesBackArraysTextsAndNumbers) {
   const auto path = folder / "x.h5";
   save_hdf5(path, [](Hdf5Writer& file) {
