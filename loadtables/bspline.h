@@ -26,9 +26,8 @@ struct Weights {
   double value[4], slope[4];
 };
 
-/// Weights at `x`; beyond the ends they continue linearly in x.
-inline Weights weights(const Axis& axis, double x) {
-  const double per_step = 1.0 / axis.step;
+/// Weights at `x`; beyond the ends they continue linearly in x. `per_step` = 1/step, for callers that keep it.
+inline Weights weights(const Axis& axis, double per_step, double x) {
   const double s = (x - axis.low) * per_step;
   const double inside = std::clamp(s, 0.0, static_cast<double>(axis.nodes - 1));
   const int first = std::min(static_cast<int>(inside), axis.nodes - 2);
@@ -36,13 +35,15 @@ inline Weights weights(const Axis& axis, double x) {
   Weights w;
   w.first = first;
   const double d[4] = {-0.5 * q * q, 0.5 * t * (3.0 * t - 4.0), 0.5 * q * (4.0 - 3.0 * q), 0.5 * t * t};
-  w.value[0] = q * q * q / 6.0 + beyond * d[0];
+  w.value[0] = q * q * q * (1.0 / 6.0) + beyond * d[0];
   w.value[1] = 2.0 / 3.0 - t * t * (1.0 - 0.5 * t) + beyond * d[1];
   w.value[2] = 2.0 / 3.0 - q * q * (1.0 - 0.5 * q) + beyond * d[2];
-  w.value[3] = t * t * t / 6.0 + beyond * d[3];
+  w.value[3] = t * t * t * (1.0 / 6.0) + beyond * d[3];
   for (int k = 0; k < 4; ++k) w.slope[k] = d[k] * per_step;
   return w;
 }
+
+inline Weights weights(const Axis& axis, double x) { return weights(axis, 1.0 / axis.step, x); }
 
 /// Condition at the lower end of an axis; the upper end is always linear (zero second derivative).
 enum class LowerEnd {

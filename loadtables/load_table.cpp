@@ -6,6 +6,16 @@
 #include "loadtables/spline_sum.h"
 
 namespace apc::loadtables {
+
+struct LoadTable::Derived {
+  double per_speed, per_depth, per_ratio;  ///< 1/step of the axes
+  double speeds, depths, ratios;           ///< intervals of the axes
+  std::size_t by_speed, by_depth;          ///< distances of neighbours among the coefficients
+  const SplineKernels& kernels;
+  double pavement_scale;         ///< P_max(0)
+  std::vector<double> pavement;  ///< (ratio + 2) × responses
+};
+
 namespace {
 
 /// Place of a contact on the table's axes.
@@ -48,6 +58,17 @@ void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, c
 
 void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r, SplineSums& point) {
   spline_kernels().slopes(cell(data, v, u, r), point);
+}
+
+/// The four weights at s ≥ 0 intervals above the lower end, nothing else; returns the first coefficient.
+inline int weights_inside(double s, int last, double* w) {
+  const int first = std::min(static_cast<int>(s), last);
+  const double t = s - first, q = 1.0 - t;
+  w[0] = q * q * q * (1.0 / 6.0);
+  w[1] = 2.0 / 3.0 - t * t * (1.0 - 0.5 * t);
+  w[2] = 2.0 / 3.0 - q * q * (1.0 - 0.5 * q);
+  w[3] = t * t * t * (1.0 / 6.0);
+  return first;
 }
 
 /// Continuation z → φ(z) of value/edge value that stays positive: z down to ½, an exponential below; C¹.
@@ -96,9 +117,28 @@ void keep_positive(const LoadTable::Data& data, const Place& at, SplineSums& poi
   }
 }
 
+LoadAlong along(const LoadWithSlopes& all) {
+  return {all.load, all.drag.penetration, all.vertical.penetration, all.rut_depth.penetration,
+          all.spin_ratio.penetration};
+}
+
+/// From four coefficients along r.
+LoadAlong along(const double* c, const Weights& r, double per_penetration) {
+  double value[responses], slope[responses];
+  for (std::size_t m = 0; m < responses; ++m) {
+    value[m] = (r.value[0] * c[m] + r.value[1] * c[4 + m]) + (r.value[2] * c[8 + m] + r.value[3] * c[12 + m]);
+    slope[m] = (r.slope[0] * c[m] + r.slope[1] * c[4 + m]) + (r.slope[2] * c[8 + m] + r.slope[3] * c[12 + m]);
+  }
+  return {{value[drag], value[vertical], value[rut_depth], 1.0 - value[slip]},
+          slope[drag] * per_penetration,
+          slope[vertical] * per_penetration,
+          slope[rut_depth] * per_penetration,
+          -slope[slip] * per_penetration};
+}
+
 }  // namespace
 
-double DepthScale::at(double bed_depth) { return std::sqrt(1.0 + bed_depth / reference); }
+double DepthScale::at(double bed_depth) { return std::sqrt(1.0 + bed_depth * (1.0 / reference)); }
 double DepthScale::slope(double bed_depth) { return 0.5 / (reference * at(bed_depth)); }
 double DepthScale::depth(double u) { return reference * (u * u - 1.0); }
 
@@ -108,16 +148,46 @@ LoadTable::LoadTable(LoadTable&&) noexcept = default;
 LoadTable& LoadTable::operator=(LoadTable&&) noexcept = default;
 LoadTable::LoadTable(const LoadTable&) = default;
 LoadTable& LoadTable::operator=(const LoadTable&) = default;
-LoadTable::LoadTable(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+
+LoadTable::LoadTable(std::shared_ptr<const Data> data) : data_(std::move(data)) {
+  const auto u = weights(data_->depth, DepthScale::at(0.0));
+  const auto length = static_cast<std::size_t>(data_->ratio.coefficients()) * responses;
+  std::vector<double> line(length);
+  for (int i = 1; i <= data_->speed.nodes; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double* c =
+          data_->coefficients.data() + static_cast<std::size_t>(i * data_->depth.coefficients() + u.first + j) * length;
+      for (std::size_t k = 0; k < length; ++k) line[k] += u.value[j] / data_->speed.nodes * c[k];
+    }
+  derived_ = std::make_shared<const Derived>(
+      Derived{1.0 / data_->speed.step, 1.0 / data_->depth.step, 1.0 / data_->ratio.step, data_->speed.nodes - 1.0,
+              data_->depth.nodes - 1.0, data_->ratio.nodes - 1.0,
+              length * static_cast<std::size_t>(data_->depth.coefficients()), length, spline_kernels(),
+              data_->penetration.at(0.0), std::move(line)});
+}
 
 TireLoad LoadTable::load(const TireContact& contact) const {
   if (!(contact.penetration > 0.0)) return {};
-  const auto at = place(*data_, contact);
+  const auto& data = *data_;
+  const auto at = place(data, contact);
+  const double v = (at.speed - data.speed.low) * derived_->per_speed, u = (at.u - data.depth.low) * derived_->per_depth,
+               r = (at.ratio - data.ratio.low) * derived_->per_ratio;
   double value[responses];
-  evaluate(*data_, weights(data_->speed, at.speed), weights(data_->depth, at.u), weights(data_->ratio, at.ratio),
-           value);
-  if (outside(*data_, at)) [[unlikely]]
-    keep_positive(*data_, at, value);
+  if (v >= 0.0 && u >= 0.0 && r >= 0.0 && v <= derived_->speeds && u <= derived_->depths && r <= derived_->ratios)
+      [[likely]] {
+    double weight[12];
+    const int i = weights_inside(v, data.speed.nodes - 2, weight),
+              j = weights_inside(u, data.depth.nodes - 2, weight + 4),
+              k = weights_inside(r, data.ratio.nodes - 2, weight + 8);
+    const double* first = data.coefficients.data() + static_cast<std::size_t>(i) * derived_->by_speed +
+                          static_cast<std::size_t>(j) * derived_->by_depth + static_cast<std::size_t>(k) * responses;
+    derived_->kernels.value(
+        {first, derived_->by_speed, derived_->by_depth, weight, weight + 4, weight + 8, nullptr, nullptr, nullptr},
+        value);
+  } else {
+    evaluate(data, weights(data.speed, at.speed), weights(data.depth, at.u), weights(data.ratio, at.ratio), value);
+    keep_positive(data, at, value);
+  }
   return {value[drag], value[vertical], value[rut_depth], 1.0 - value[slip]};
 }
 
@@ -125,7 +195,8 @@ LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
   if (!(contact.penetration > 0.0)) return {};
   const auto at = place(*data_, contact);
   SplineSums point;
-  evaluate(*data_, weights(data_->speed, at.speed), weights(data_->depth, at.u), weights(data_->ratio, at.ratio),
+  evaluate(*data_, weights(data_->speed, derived_->per_speed, at.speed),
+           weights(data_->depth, derived_->per_depth, at.u), weights(data_->ratio, derived_->per_ratio, at.ratio),
            point);
   if (outside(*data_, at)) [[unlikely]]
     keep_positive(*data_, at, point);
@@ -146,6 +217,45 @@ LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
           slopes(vertical, 1.0),
           slopes(rut_depth, 1.0),
           slopes(slip, -1.0)};
+}
+
+LoadAlong LoadTable::load_on_pavement(double penetration) const {
+  if (!(penetration > 0.0)) return {};
+  const double per_scale = 1.0 / derived_->pavement_scale, ratio = penetration * per_scale;
+  if (beyond(data_->ratio, ratio)) [[unlikely]]
+    return along(load_with_slopes({data_->speed.low, 0.0, penetration}));
+  const auto r = weights(data_->ratio, derived_->per_ratio, ratio);
+  return along(derived_->pavement.data() + 4 * r.first, r, per_scale);
+}
+
+PenetrationLine::PenetrationLine(const LoadTable& table, double speed, double bed_depth)
+    : table_(table), speed_(speed), depth_(bed_depth) {
+  const auto at = place(table.data(), {speed, bed_depth, 0.0});
+  outside_ = outside(table.data(), at) || table.data().ratio.coefficients() < window;
+  scale_ = at.scale;
+  const auto v = weights(table.data().speed, at.speed), u = weights(table.data().depth, at.u);
+  speed_first_ = v.first;
+  depth_first_ = u.first;
+  std::copy(v.value, v.value + 4, speed_weight_);
+  std::copy(u.value, u.value + 4, depth_weight_);
+}
+
+LoadAlong PenetrationLine::at(double penetration) {
+  if (!(penetration > 0.0)) return {};
+  const auto& data = table_.data();
+  const double per_penetration = 1.0 / scale_, ratio = penetration * per_penetration;
+  if (outside_ || beyond(data.ratio, ratio)) [[unlikely]]
+    return along(table_.load_with_slopes({speed_, depth_, penetration}));
+  const auto r = weights(data.ratio, ratio);
+  if (first_ < 0 || r.first < first_ || r.first > first_ + window - 4) {
+    first_ = std::clamp(r.first - 1, 0, data.ratio.coefficients() - window);
+    const std::size_t by_j = static_cast<std::size_t>(data.ratio.coefficients()) * responses,
+                      by_i = static_cast<std::size_t>(data.depth.coefficients()) * by_j;
+    const double* first = data.coefficients.data() + static_cast<std::size_t>(speed_first_) * by_i +
+                          static_cast<std::size_t>(depth_first_) * by_j + static_cast<std::size_t>(first_) * responses;
+    spline_kernels().line({first, by_i, by_j, speed_weight_, depth_weight_, nullptr, nullptr, nullptr, nullptr}, sum_);
+  }
+  return along(sum_ + 4 * (r.first - first_), r, per_penetration);
 }
 
 Coverage LoadTable::coverage(const TireContact& contact) const {

@@ -34,6 +34,12 @@ struct LoadWithSlopes {
   Slopes drag, vertical, rut_depth, spin_ratio;
 };
 
+/// A load at one speed and bed depth with its derivatives by penetration.
+struct LoadAlong {
+  TireLoad load;
+  double drag = 0.0, vertical = 0.0, rut_depth = 0.0, spin_ratio = 0.0;  ///< by penetration
+};
+
 /// How well a response was fitted. Relative to the mean absolute response of the samples.
 struct FitQuality {
   std::string response;  ///< "drag", "vertical", "rut_depth", "spin_ratio"
@@ -69,6 +75,9 @@ class LoadTable {
   /// Loads ≥ 0 for penetration ≥ 0, all zero (and spin 1) for penetration ≤ 0. C² inside a smooth bed; any arguments.
   TireLoad load(const TireContact&) const;
   LoadWithSlopes load_with_slopes(const TireContact&) const;
+  /// On pavement, where loads do not depend on speed (a table's own residue of it is averaged out): a curve along the
+  /// penetration alone.
+  LoadAlong load_on_pavement(double penetration) const;
   Coverage coverage(const TireContact&) const;
   double maximum_penetration(double bed_depth) const;
 
@@ -79,11 +88,30 @@ class LoadTable {
   std::array<double, 2> speed_range() const, depth_range() const, ratio_range() const;
 
   struct Data;  ///< knots and coefficients; load_table_data.h, for the builder and the HDF5 file only
+  struct Derived;
   explicit LoadTable(std::shared_ptr<const Data>);
   const Data& data() const { return *data_; }
 
  private:
   std::shared_ptr<const Data> data_;
+  std::shared_ptr<const Derived> derived_;  ///< what every look-up wants, computed once
+};
+
+/// The loads of a table along the penetration alone, for searches at a fixed speed and bed depth: the other two axes
+/// are summed once, a few intervals at a time.
+class PenetrationLine {
+ public:
+  /// The table must outlive this.
+  PenetrationLine(const LoadTable&, double speed, double bed_depth);
+  LoadAlong at(double penetration);
+
+ private:
+  static constexpr int window = 8;  ///< coefficients held
+  const LoadTable& table_;
+  double speed_, depth_, scale_ = 1.0, speed_weight_[4] = {}, depth_weight_[4] = {};
+  int speed_first_ = 0, depth_first_ = 0, first_ = -1;
+  bool outside_ = false;
+  double sum_[4 * window] = {};
 };
 
 /// What a file says it is for; empty when it is no load table. Never throws for foreign content.

@@ -1,6 +1,6 @@
 /// The sum over the 4 × 4 × 4 spline coefficients around a point, four responses at a time: the inner loop of every
-/// look-up. Compiled once per instruction set, the processor picks at run time; the same processor gives the same bits,
-/// processors with and without fused multiply-add differ in the last ones.
+/// look-up. Compiled once per instruction set, the processor picks at run time; the order of operations is the same at
+/// every width and products are not fused with sums, so that all processors give the same bits.
 ///
 ///     value = Σ v_i u_j r_k c_ijk;  the slopes with v′, u′ or r′ in place of v, u or r
 /// Speed is summed first, then depth, then ratio: 176 multiply-adds on vectors of four instead of the 1,024 of the
@@ -26,6 +26,7 @@ struct SplineSums {
 struct SplineKernels {
   void (*value)(const SplineCell&, double* value);  ///< four values
   void (*slopes)(const SplineCell&, SplineSums&);
+  void (*line)(const SplineCell&, double* sum);  ///< over v and u only: 8 coefficients along r × 4 responses
 };
 
 /// For the widest instruction set this processor has: AVX-512, AVX2 with FMA, or SSE4.

@@ -53,4 +53,17 @@ void slopes(const SplineCell& cell, SplineSums& result) {
   along_ratio(by_u, cell.r, result.by_u);
 }
 
+void line(const SplineCell& cell, double* sum) {
+  const double *v = cell.v, *u = cell.u;
+  for (int p = 0; p < 2 * parts; ++p) {
+    Lanes total{};
+    for (int j = 0; j < 4; ++j) {
+      const double* c = cell.first + static_cast<std::size_t>(j) * cell.by_j;
+      total += u[j] * (v[0] * part(c, p) + v[1] * part(c + cell.by_i, p) + v[2] * part(c + 2 * cell.by_i, p) +
+                       v[3] * part(c + 3 * cell.by_i, p));
+    }
+    part(sum, p) = total;
+  }
+}
+
 }  // namespace

@@ -3,7 +3,7 @@
 #include "loadtables/spline_sum.inl"
 
 const SplineKernels& spline_kernels_v3() {
-  static constexpr SplineKernels kernels{value, slopes};
+  static constexpr SplineKernels kernels{value, slopes, line};
   return kernels;
 }
 

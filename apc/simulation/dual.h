@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "apc/simulation/elementary.h"
+
 namespace apc::simulation {
 
 template <int N>
@@ -19,6 +21,16 @@ struct Dual {
     x.d[lane] = 1.0;
     return x;
   }
+};
+
+/// A number without derivatives that calls the same functions.
+template <>
+struct Dual<0> {
+  double value;
+  static inline double d[1];  ///< never touched
+
+  Dual() = default;
+  Dual(double constant) : value(constant) {}  // NOLINT
 };
 
 /// f(x) with f′(x) known: the chain rule.
@@ -126,19 +138,19 @@ inline bool operator>(const Dual<N>& a, double b) {
 
 template <int N>
 inline Dual<N> sin(const Dual<N>& x) {
-  return chain(std::sin(x.value), std::cos(x.value), x);
+  const auto at = elementary::sine_cosine(x.value);
+  return chain(at.sine, at.cosine, x);
 }
 template <int N>
 inline Dual<N> cos(const Dual<N>& x) {
-  return chain(std::cos(x.value), -std::sin(x.value), x);
+  const auto at = elementary::sine_cosine(x.value);
+  return chain(at.cosine, -at.sine, x);
 }
-/// tanh to rounding, without the library call where it is ±1 or where its series needs four terms.
+/// tanh; where its series needs four terms, the series.
 inline double quick_tanh(double x) {
-  if (x > 20.0) return 1.0;
-  if (x < -20.0) return -1.0;
   const double s = x * x;
   if (s < 4e-4) return x * (1.0 - s * (1.0 / 3.0 - s * (2.0 / 15.0 - s * (17.0 / 315.0))));
-  return std::tanh(x);
+  return elementary::hyperbolic_tangent(x);
 }
 template <int N>
 inline Dual<N> quick_tanh(const Dual<N>& x) {
@@ -152,7 +164,7 @@ inline Dual<N> tanh(const Dual<N>& x) {
 template <int N>
 inline Dual<N> sqrt(const Dual<N>& x) {
   const double y = std::sqrt(x.value);
-  return chain(y, 0.5 / y, x);
+  return N == 0 ? Dual<N>(y) : chain(y, 0.5 / y, x);
 }
 template <int N>
 inline Dual<N> abs(const Dual<N>& x) {
@@ -160,7 +172,7 @@ inline Dual<N> abs(const Dual<N>& x) {
 }
 template <int N>
 inline Dual<N> pow(const Dual<N>& x, double exponent) {
-  const double y = std::pow(x.value, exponent);
+  const double y = elementary::power(x.value, exponent);
   return chain(y, exponent * y / x.value, x);
 }
 

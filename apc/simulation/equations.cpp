@@ -1,68 +1,36 @@
 #include "apc/simulation/equations.h"
 
 #include "apc/base/require.h"
-#include "apc/simulation/motion.h"
+#include "apc/simulation/every_processor.h"
+#include "apc/simulation/motion_slopes.h"
 
 namespace apc::simulation {
-
-/// Everything below is inlined into one body per instruction set; the processor picks at load time. Contraction to
-/// fused multiply-adds is off, so that all of them give the same bits.
-#define APC_FOR_EVERY_PROCESSOR \
-  __attribute__((flatten, target_clones("arch=skylake-avx512", "arch=haswell", "default")))
 
 APC_FOR_EVERY_PROCESSOR
 void derivatives(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
                  Moment* moment) {
-  motion<double>(plant, around, time, y, dydt, moment);
-}
-
-namespace {
-
-template <int N>
-inline void jacobian_of(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
-                        double* matrix) {
-  const int states = plant.states();
-  Dual<N> state[N], rate[N];
-  for (int i = 0; i < N; ++i) state[i] = i < states ? Dual<N>::variable(y[i], i) : Dual<N>(0.0);
-  motion<Dual<N>>(plant, around, time, state, rate, nullptr);
-  for (int i = 0; i < states; ++i) {
-    dydt[i] = rate[i].value;
-    for (int j = 0; j < states; ++j) matrix[i * states + j] = rate[i].d[j];
-  }
+  BodyMotion body;
+  motion(plant, time, y, dydt, moment, body,
+         [&](int r, const Pair<double>& axle, const Pair<double>& velocity, double spin, RowMoment* seen) {
+           return row_force<double>(plant, around, r, time, body.nose, axle, velocity, spin, seen);
+         });
 }
 
 APC_FOR_EVERY_PROCESSOR
-void jacobian_12(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
-                 double* matrix) {
-  jacobian_of<12>(plant, around, time, y, dydt, matrix);
-}
-
-APC_FOR_EVERY_PROCESSOR
-void jacobian_24(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
-                 double* matrix) {
-  jacobian_of<24>(plant, around, time, y, dydt, matrix);
-}
-
-}  // namespace
-
 void jacobian(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
-              double* matrix) {
-  const int states = plant.states();
-  if (states <= 12) return jacobian_12(plant, around, time, y, dydt, matrix);
-  if (states <= 24) return jacobian_24(plant, around, time, y, dydt, matrix);
-  jacobian_of<most_states>(plant, around, time, y, dydt, matrix);
+              double* matrix, Moment* moment) {
+  jacobian_of(plant, around, time, y, dydt, matrix, moment);
 }
 
 void directional(const Plant& plant, const Surroundings& around, double time, const double* y, const double* direction,
                  double* result) {
-  Dual<1> state[most_states], rate[most_states];
+  double rate[most_states], matrix[most_states * most_states];
+  jacobian(plant, around, time, y, rate, matrix);
   const int states = plant.states();
-  for (int i = 0; i < most_states; ++i) {
-    state[i] = Dual<1>(i < states ? y[i] : 0.0);
-    if (i < states) state[i].d[0] = direction[i];
+  for (int i = 0; i < states; ++i) {
+    result[i] = 0.0;
+    for (int j = 0; j < states; ++j) result[i] += matrix[i * states + j] * direction[j];
   }
-  motion<Dual<1>>(plant, around, time, state, rate, nullptr);
-  for (int i = 0; i < states; ++i) result[i] = rate[i].d[0];
 }
 
 std::array<double, 2> row_motion(const Plant& plant, int index, const double* y) {

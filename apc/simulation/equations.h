@@ -56,7 +56,8 @@ void derivatives(const Plant&, const Surroundings&, double time, const double* y
                  Moment* moment = nullptr);
 
 /// ∂(dy/dt)/∂y, row-major states × states, and dy/dt itself. Exact up to the ground's altered loads (differences).
-void jacobian(const Plant&, const Surroundings&, double time, const double* y, double* dydt, double* matrix);
+void jacobian(const Plant&, const Surroundings&, double time, const double* y, double* dydt, double* matrix,
+              Moment* moment = nullptr);
 
 /// Directional derivative of dy/dt along `direction`.
 void directional(const Plant&, const Surroundings&, double time, const double* y, const double* direction,

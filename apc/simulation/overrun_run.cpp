@@ -22,24 +22,26 @@ Surroundings surroundings_at_entry(const Plant& plant) {
   return around;
 }
 
-void write_ruts(const Plant& plant, Surroundings& around, double t, const double* y) {
+void write_ruts(const Plant& plant, Surroundings& around, const Moment& moment) {
   for (const auto& row : plant.rows) {
     if (row.ahead < 0) continue;
     const auto r = static_cast<std::size_t>(row.ahead);
-    if (!around.in_bed[r]) continue;
-    const auto place = row_place(plant, around, row.ahead, t, y);
-    if (place.bed_distance < -1.0) continue;
+    const auto& made = moment.rows[r];
+    if (!around.in_bed[r] || made.distance < -1.0) continue;
     Rut rut;
-    if (place.contact.penetration > 0.0) {
-      const auto& ground = plant.groups[static_cast<std::size_t>(row.group)].ground;
-      const int further = plant.rows[r].ahead;
-      Rut ahead;
-      if (further >= 0) ahead = around.ruts[static_cast<std::size_t>(further)].at(place.bed_distance);
-      const auto load = ground_load(ground, place, further >= 0 ? &ahead : nullptr);
-      rut = {load.load.rut_depth, load.virgin_penetration, load.virgin_drag, load.virgin_vertical, 0.0};
+    if (made.penetration > 0.0) {
+      const auto& ground = made.ground;
+      rut = {ground.load.rut_depth, ground.virgin_penetration, ground.virgin_drag, ground.virgin_vertical};
     }
-    around.ruts[r].write(place.bed_distance, rut);
+    around.ruts[r].write(made.distance, rut);
   }
+}
+
+void write_ruts(const Plant& plant, Surroundings& around, double t, const double* y) {
+  std::array<double, most_states> rate;
+  Moment moment;
+  derivatives(plant, around, t, y, rate.data(), &moment);
+  write_ruts(plant, around, moment);
 }
 
 double longest_way(const Plant& plant) {
@@ -108,7 +110,7 @@ class Course {
     y_ = start;
     solver_.start(0.0, y_);
     look(0.0);
-    write_ruts(plant_, around_, 0.0, y_.data());
+    write_ruts(plant_, around_, moment_);
     if (observer_.interval() == 0.0) observer_.see(0.0, y_.data(), around_, moment_, 0.0);
     power_ = powers(plant_, around_, y_.data(), moment_);
     for (;;) {
@@ -150,6 +152,15 @@ class Course {
 
   void look(double t) { derivatives(plant_, around_, t, y_.data(), rate_.data(), &moment_); }
 
+  /// State and moment at `t`; where a step ends, the solver has the moment at hand.
+  const Moment& instant(double t) {
+    solver_.state(t, y_.data());
+    if constexpr (!std::is_same_v<Solver, Cvode>)
+      if (t == solver_.time()) return solver_.moment();
+    look(t);
+    return moment_;
+  }
+
   /// Grid instants, ruts and (for solvers without quadratures of their own) energy in (before, until].
   void observe(double before, double until) {
     while (observer_.interval() > 0.0 && next_look_ <= until) {
@@ -158,37 +169,39 @@ class Course {
       observer_.see(next_look_, y_.data(), around_, moment_, dissipated_at(next_look_));
       next_look_ = static_cast<double>(++looks_) * observer_.interval();
     }
+    constexpr bool has_quadratures = std::is_same_v<Solver, Cvode>;
+    int pairs = 1;
     if (any_follower_) {
       solver_.state(before, y_.data());
       const double from = y_[0];
       solver_.state(until, y_.data());
-      const int pieces = std::max(1, static_cast<int>(std::ceil((y_[0] - from) / rut_spacing)));
-      for (int i = 1; i <= pieces; ++i) {
-        const double t = before + (until - before) * i / pieces;
-        solver_.state(t, y_.data());
-        write_ruts(plant_, around_, t, y_.data());
+      pairs = std::max(1, static_cast<int>(std::ceil(0.5 * (y_[0] - from) / rut_spacing)));
+    }
+    if (!has_quadratures || any_follower_) {
+      const double part = 0.5 * (until - before) / pairs;
+      for (int i = 1; i <= 2 * pairs; ++i) {
+        const double t = i == 2 * pairs ? until : before + i * part;
+        const auto& moment = instant(t);
+        if (any_follower_) write_ruts(plant_, around_, moment);
+        if constexpr (!has_quadratures) {
+          add_energy(t, part, i, moment);
+          if (observer_.interval() == 0.0) observer_.see(t, y_.data(), around_, moment, 0.0);
+        }
       }
     }
-    add_energy(before, until);
+    if constexpr (has_quadratures) solver_.integrals(until, dissipated_.data());
   }
 
-  void add_energy(double before, double until) {
-    if constexpr (std::is_same_v<Solver, Cvode>) {
-      solver_.integrals(until, dissipated_.data());
-    } else {  // Simpson over the step
-      const double middle = 0.5 * (before + until), sixth = (until - before) / 6.0;
-      solver_.state(middle, y_.data());
-      look(middle);
-      const auto half = powers(plant_, around_, y_.data(), moment_);
-      if (observer_.interval() == 0.0) observer_.see(middle, y_.data(), around_, moment_, 0.0);
-      solver_.state(until, y_.data());
-      look(until);
-      const auto full = powers(plant_, around_, y_.data(), moment_);
-      for (std::size_t i = 0; i < sinks; ++i) dissipated_[i] += sixth * (power_[i] + 4.0 * half[i] + full[i]);
-      if (observer_.interval() == 0.0) observer_.see(until, y_.data(), around_, moment_, 0.0);
-      power_ = full;
-      settled_ = until;
+  /// Simpson over pairs of parts of a step.
+  void add_energy(double t, double part, int index, const Moment& moment) {
+    const auto now = powers(plant_, around_, y_.data(), moment);
+    if (index % 2 == 1) {
+      half_ = now;
+      return;
     }
+    for (std::size_t i = 0; i < sinks; ++i) dissipated_[i] += part / 3.0 * (power_[i] + 4.0 * half_[i] + now[i]);
+    power_ = now;
+    settled_ = t;
   }
 
   double dissipated_at(double t) {
@@ -212,7 +225,7 @@ class Course {
       solver_.start(until, y_);
     }
     look(until);
-    write_ruts(plant_, around_, until, y_.data());
+    write_ruts(plant_, around_, moment_);
     power_ = powers(plant_, around_, y_.data(), moment_);
   }
 
@@ -238,7 +251,7 @@ class Course {
   int entering_ = -1;
   bool any_follower_ = false;
   Moment moment_;
-  std::array<double, sinks> dissipated_{}, power_{};
+  std::array<double, sinks> dissipated_{}, power_{}, half_{};
   double settled_ = 0.0, next_look_ = 0.0;
   long looks_ = 0;
 };

@@ -24,7 +24,8 @@ Ending run_fast(const Plant&, const std::vector<double>& state, double rtol, dou
 bool enters_with_a_jump(const Plant&, int row);
 /// Rows in the bed at entry: the nose, and all rows that enter smoothly.
 Surroundings surroundings_at_entry(const Plant&);
-/// Writes what the rows that are followed leave behind at a state; ignored where something was written already.
+/// Writes what the rows that are followed leave behind at an instant; ignored where something was written already.
+void write_ruts(const Plant&, Surroundings&, const Moment&);
 void write_ruts(const Plant&, Surroundings&, double time, const double* y);
 inline constexpr double rut_spacing = 0.2;  ///< m between entries of a rut log, at most
 /// Longest way of one step: a trailing row must never outrun the ruts written so far, and no step may jump a ramp.

@@ -21,6 +21,16 @@ class Profile {
   ValueAndSlope depth(double distance) const;
   /// Mean of d depth / d distance over ±`half_patch`: the inclination of the base a tire feels, continuous in distance.
   ValueAndSlope inclination(double distance, double half_patch) const;
+  /// Both at once.
+  struct Ground {
+    ValueAndSlope depth, inclination;
+  };
+  Ground under(double distance, double half_patch) const {
+    const std::size_t last = slope_.size() - 1;
+    if (distance - half_patch >= distance_[last] && distance + half_patch <= distance_[last + 1]) [[likely]]
+      return {{depth_[last] + slope_[last] * (distance - distance_[last]), slope_[last]}, {slope_[last], 0.0}};
+    return {depth(distance), inclination(distance, half_patch)};
+  }
   double length() const { return distance_.back(); }
   /// The bed begins with a step: depth jumps from 0 at the leading edge.
   bool steps_in() const { return depth_.front() > 1e-6; }

@@ -10,6 +10,7 @@
 
 #include "apc/simulation/equations.h"
 #include "apc/simulation/result.h"
+#include "apc/simulation/rosenbrock_step.h"
 
 namespace apc::simulation {
 
@@ -26,30 +27,21 @@ class Rosenbrock {
   double time() const { return time_; }
   /// Dense output in the last step.
   void state(double t, double* y) const;
+  /// The instant at time(), known from the next step's Jacobian.
+  const Moment& moment();
   SolverStatistics statistics() const { return statistics_; }
 
  private:
-  using State = std::array<double, most_states>;
-  bool attempt(double h, State& next, double& error);
-  void factor(double h);
-  void solve(const State& right, State& solution) const;
-  double norm(const State& error, const State& next) const;
+  bool attempt(double h, double& error);
 
   const Plant& plant_;
   const Surroundings& around_;
   double rtol_, longest_way_, h_ = 1e-3, last_h_ = 0.0, last_error_ = 1.0;
   double time_ = 0.0, previous_ = 0.0;
-  int states_, degrees_, spins_;
-  State y_{}, scale_{}, f0_{}, dfdt_{};
-  std::array<State, 6> u_{};
-  State dense_[4]{};
-  std::vector<double> jacobian_;
-  // Factored system: E = 1/(hγ), reduced matrix M (degrees × degrees) with its pivots, and what eliminates the spins.
-  double e_ = 0.0;
-  std::array<double, most_degrees * most_degrees> m_{};
-  std::array<int, most_degrees> pivot_{};
-  std::array<double, most_rows * most_degrees> spin_by_rate_{}, rate_by_spin_{};
-  std::array<double, most_rows> spin_inverse_{};
+  bool linearised_ = false;  ///< Jacobian, rate and moment belong to the present state
+  StepWork work_;
+  std::array<StateVector, 4> dense_{};
+  Moment moment_;
   SolverStatistics statistics_;
 };
 

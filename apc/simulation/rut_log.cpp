@@ -4,50 +4,48 @@
 #include <cmath>
 
 namespace apc::simulation {
-namespace {
-
-/// Slope at the middle of three points, by the parabola through them.
-double slope(double before, double after, double x0, double x1, double x2) {
-  const double h0 = x1 - x0, h1 = x2 - x1;
-  return (before * h1 + after * h0) / (h0 + h1);
-}
-
-}  // namespace
 
 void RutLog::write(double distance, const Rut& rut) {
-  if (!distance_.empty() && distance < distance_.back() + 1e-3) return;
-  distance_.push_back(distance);
-  ruts_.push_back(rut);
+  if (!entries_.empty() && distance < entries_.back().distance + 1e-3) return;
+  entries_.push_back({distance, {rut.depth, rut.penetration, rut.drag, rut.vertical}, {}});
+  const std::size_t n = entries_.size();
+  if (n < 2) return;
+  auto &last = entries_[n - 1], &middle = entries_[n - 2];
+  const double h1 = last.distance - middle.distance;
+  for (int k = 0; k < 4; ++k) {
+    const double after = (last.value[k] - middle.value[k]) / h1;
+    last.slope[k] = after;
+    if (n == 2) {
+      middle.slope[k] = after;
+    } else {  // of the parabola through three points; the middle one still holds the secant before it
+      const double h0 = middle.distance - entries_[n - 3].distance;
+      middle.slope[k] = (middle.slope[k] * h1 + after * h0) / (h0 + h1);
+    }
+  }
 }
 
-double RutLog::last_distance() const { return distance_.empty() ? -1e300 : distance_.back(); }
+double RutLog::last_distance() const { return entries_.empty() ? -1e300 : entries_.back().distance; }
 
-void RutLog::clear() {
-  distance_.clear();
-  ruts_.clear();
-}
+void RutLog::clear() { entries_.clear(); }
 
 Rut RutLog::at(double distance) const {
-  if (distance_.size() < 2 || distance <= distance_.front()) return {};
-  if (distance >= distance_.back()) return ruts_.back();
-  const auto above = std::upper_bound(distance_.begin(), distance_.end(), distance);
-  const auto i = static_cast<std::size_t>(above - distance_.begin()) - 1;
-  const double h = distance_[i + 1] - distance_[i], t = (distance - distance_[i]) / h, r = 1.0 - t;
-  const auto secant = [&](std::size_t k, double Rut::*field) {
-    return (ruts_[k + 1].*field - ruts_[k].*field) / (distance_[k + 1] - distance_[k]);
-  };
-  const auto end_slope = [&](std::size_t k, double Rut::*field) {  // at point k
-    if (k == 0) return secant(0, field);
-    if (k + 1 == ruts_.size()) return secant(k - 1, field);
-    return slope(secant(k - 1, field), secant(k, field), distance_[k - 1], distance_[k], distance_[k + 1]);
-  };
-  Rut rut;
-  for (const auto field : {&Rut::depth, &Rut::penetration, &Rut::drag, &Rut::vertical}) {
-    const double y0 = ruts_[i].*field, y1 = ruts_[i + 1].*field, d0 = end_slope(i, field), d1 = end_slope(i + 1, field);
-    rut.*field = y0 * r * r * (1 + 2 * t) + y1 * t * t * (3 - 2 * t) + h * t * r * (d0 * r - d1 * t);
-    if (field == &Rut::depth) rut.depth_slope = 6 * t * r * (y1 - y0) / h + d0 * r * (1 - 3 * t) + d1 * t * (3 * t - 2);
+  if (entries_.size() < 2 || distance <= entries_.front().distance) return {};
+  if (distance >= entries_.back().distance) {
+    const double* v = entries_.back().value;
+    return {v[0], v[1], v[2], v[3]};
   }
-  return rut;
+  std::size_t i = entries_.size() - 2;  // a row reads a bogie's spacing behind what was written last
+  while (entries_[i].distance > distance) --i;
+  const Entry &a = entries_[i], &b = entries_[i + 1];
+  const double h = b.distance - a.distance, per_h = 1.0 / h, t = (distance - a.distance) * per_h, r = 1.0 - t;
+  const double w0 = r * r * (1.0 + 2.0 * t), w1 = t * t * (3.0 - 2.0 * t), w2 = h * t * r * r, w3 = -h * t * t * r;
+  const double s0 = -6.0 * t * r * per_h, s2 = r * (1.0 - 3.0 * t), s3 = t * (3.0 * t - 2.0);
+  double value[4], slope[4];
+  for (int k = 0; k < 4; ++k) {
+    value[k] = (a.value[k] * w0 + b.value[k] * w1) + (a.slope[k] * w2 + b.slope[k] * w3);
+    slope[k] = (a.value[k] - b.value[k]) * s0 + (a.slope[k] * s2 + b.slope[k] * s3);
+  }
+  return {value[0], value[1], value[2], value[3], slope[0], slope[1], slope[3]};
 }
 
 }  // namespace apc::simulation

@@ -11,7 +11,8 @@ struct Rut {
   double depth = 0.0;                 ///< m, crushed depth
   double penetration = 0.0;           ///< m, the penetration whose virgin rut this is
   double drag = 0.0, vertical = 0.0;  ///< N per tire, that virgin penetration's loads
-  double depth_slope = 0.0;           ///< d depth / d distance; only filled by reading
+  double depth_slope = 0.0;           ///< d depth / d distance; like the next two only filled by reading
+  double penetration_slope = 0.0, vertical_slope = 0.0;
 };
 
 /// Grows along the bed only; between entries a C¹ cubic whose slopes come from the parabola through three entries, so
@@ -23,12 +24,16 @@ class RutLog {
   /// Nothing (depth 0) before the first entry; the last entry beyond the last.
   Rut at(double distance) const;
   double last_distance() const;
-  bool empty() const { return distance_.empty(); }
+  bool empty() const { return entries_.empty(); }
   void clear();
 
  private:
-  std::vector<double> distance_;
-  std::vector<Rut> ruts_;
+  /// An entry with the slopes there; those of the last one are of the secant before it until the next is written.
+  struct Entry {
+    double distance;
+    double value[4], slope[4];  ///< depth, penetration, drag, vertical
+  };
+  std::vector<Entry> entries_;
 };
 
 }  // namespace apc::simulation

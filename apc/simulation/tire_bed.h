@@ -1,14 +1,16 @@
 /// One tire on pavement, ramp or bed: the steady table, altered by effects, and the rut of the row ahead. The only
 /// place where loads of the ground are asked for.
 ///
-/// A trailing tire of a bogie meets the rut D₀ of the row ahead, made at the penetration P* with the loads F_x*, F_z*:
+/// A trailing tire of a bogie meets the rut D₀ of the row ahead, made at the penetration P* with the vertical load
+/// F_z*:
 ///   P ≤ D₀                       no contact
-///   F_tire(P − D₀) ≤ c F_z*      rides on the floor of the rut: F_z = F_tire(P − D₀), F_x = μ_r F_z, D = D₀
-///   otherwise                    deepens it to D = rut(P̂) with F_tire(P − D) = c F_z(P̂): F_z = F_tire(P − D),
-///                                F_x = F_x(P̂) − F_x* + μ_r F_z: only the further compaction is paid for
+///   F_tire(P − D₀) ≤ c_g F_z*    rides on the floor of the rut: F_z = F_tire(P − D₀), F_x = μ_r F_z, D = D₀
+///   otherwise                    deepens it to D = D₀ + rut(P̂) − rut(P*), P̂ from F_tire(P − D) = c V(P̂) with
+///                                V(P̂) = F_z* + F_z(P̂) − F_z(P*): F_z = F_tire(P − D),
+///                                F_x = F_x(P̂) − F_x(P*) + μ_r F_z: only the further compaction is paid for
 /// c = 1 + (c_g − 1) √(D₀/D): on an old floor both halves of the contact patch bear (c_g ≈ 2), in virgin material the
-/// front half only; the root keeps the load growing with penetration. c_g and μ_r have no public data; they are inputs
-/// (estimated).
+/// front half only; the root keeps the load growing with penetration. Differences to P* make the law continuous
+/// whatever the log's interpolation. c_g and μ_r have no public data; they are inputs (estimated).
 #pragma once
 
 #include <array>

@@ -45,7 +45,7 @@ class RutFollowingLaw : public ::testing::Test {
   }
   GroundLoad lead(double penetration) const { return ground_load(ground_, place(penetration), nullptr); }
   GroundLoad trail(double penetration, const GroundLoad& ahead) const {
-    const Rut rut{ahead.load.rut_depth, ahead.virgin_penetration, ahead.virgin_drag, ahead.virgin_vertical, 0.0};
+    const Rut rut{ahead.load.rut_depth, ahead.virgin_penetration, ahead.virgin_drag, ahead.virgin_vertical};
     return ground_load(ground_, place(penetration), &rut);
   }
   static effects::TirePlace place(double penetration) { return {{20.0, 0.5, penetration}, 30.0, 30.0, 1.0}; }
@@ -80,6 +80,58 @@ TEST_F(RutFollowingLaw, TwoPassesTakeTheEnergyOfOneDeeperPass) {
   EXPECT_NEAR(once.load.rut_depth, second.load.rut_depth, 1e-9);
   const double crushing = ahead.load.drag + second.load.drag - 0.02 * second.load.vertical;
   EXPECT_NEAR(crushing, once.load.drag, 1e-6 * once.load.drag);
+}
+
+TEST_F(RutFollowingLaw, SlopesAgreeWithDifferencesInTheAirOnTheFloorAndWhereItYields) {
+  const auto ahead = lead(0.25);
+  const auto rut_at = [&](double x) {  // a track that rises along the way, its entries not quite of one penetration
+    Rut rut{ahead.load.rut_depth + 0.01 * (x - 30.0), 0.25 + 0.012 * (x - 30.0), ahead.virgin_drag,
+            ahead.virgin_vertical + 2e3 * (x - 30.0)};
+    rut.depth_slope = 0.01;
+    rut.penetration_slope = 0.012;
+    rut.vertical_slope = 2e3;
+    return rut;
+  };
+  const auto load = [&](double speed, double depth, double penetration, double x) {
+    const auto rut = rut_at(x);
+    return ground_load(ground_, {{speed, depth, penetration}, x, x, 1.0}, &rut).load;
+  };
+  bool yielded = false;
+  for (const double penetration : {0.19, 0.26, 0.40, 0.44}) {
+    const auto rut = rut_at(30.0);
+    const auto all = ground_load_with_slopes(ground_, place(penetration), &rut);
+    yielded = yielded || all.load.rut_depth > rut.depth + 0.01;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const double h = 1e-6;
+      double up[4] = {20.0, 0.5, penetration, 30.0}, down[4] = {20.0, 0.5, penetration, 30.0};
+      up[lane] += h;
+      down[lane] -= h;
+      const auto a = load(up[0], up[1], up[2], up[3]), b = load(down[0], down[1], down[2], down[3]);
+      const auto near = [&](double slope, double high, double low, double scale) {
+        EXPECT_NEAR(slope, (high - low) / (2 * h), 2e-5 * (scale + std::abs(slope))) << penetration << " " << lane;
+      };
+      near(all.drag[lane], a.drag, b.drag, 1e4);
+      near(all.vertical[lane], a.vertical, b.vertical, 1e4);
+      near(all.rut_depth[lane], a.rut_depth, b.rut_depth, 1.0);
+      near(all.spin_ratio[lane], a.spin_ratio, b.spin_ratio, 1.0);
+    }
+  }
+  EXPECT_TRUE(yielded);
+}
+
+TEST_F(RutFollowingLaw, IsContinuousAtYieldWhateverTheLogHolds) {
+  // Interpolated entries do not agree with the table to the last digit; the load must not jump for that.
+  const auto ahead = lead(0.25);
+  const Rut rut{1.01 * ahead.load.rut_depth, 0.25, ahead.virgin_drag, 0.98 * ahead.virgin_vertical};
+  const auto at = [&](double penetration) { return ground_load(ground_, place(penetration), &rut).load; };
+  double low = rut.depth, high = 0.5;  // the penetration at which the floor yields
+  while (high - low > 1e-12) {
+    const double middle = 0.5 * (low + high);
+    (at(middle).rut_depth > rut.depth ? high : low) = middle;
+  }
+  EXPECT_NEAR(at(low).vertical, at(high).vertical, 0.1);
+  EXPECT_NEAR(at(low).drag, at(high).drag, 0.1);
+  EXPECT_NEAR(at(low).spin_ratio, at(high).spin_ratio, 1e-6);
 }
 
 TEST_F(RutFollowingLaw, LoadGrowsSteadilyThroughYield) {

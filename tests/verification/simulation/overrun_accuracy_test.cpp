@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstdio>
 #include <numbers>
 
@@ -46,24 +48,31 @@ TEST(EnergyAccount, ClosesWithTheTolerance) {
 }
 
 TEST(StopDistance, ConvergesWithTheTolerance) {
+  // One run's error changes sign on its way down; the root mean square over eight entry speeds does not hide that.
+  // Least-squares slope of its logarithm against the tolerance's, over four decades.
   const auto model = testing::foam_model("B737-800", testing::foam_bed(0.4572));
-  const double exact = simulate(model, at(70), with(1e-11)).stop_distance;
-  // Least-squares slope of log error against log tolerance over four decades; below 1e-6 m the solution itself is the
-  // floor.
-  double slope = 0.0;
-  std::printf("V8 stop distance 737, 70 kt, %.6f m:", exact);
-  for (int decade = -2; decade <= 2; ++decade) {
-    const double rtol = std::pow(10.0, decade - 7);
-    const auto result = simulate(model, at(70), with(rtol));
-    const double error = std::abs(result.stop_distance - exact);
-    std::printf("  %.0e %.1e m (%ld steps)", rtol, error, result.solver.steps);
-    slope += 0.1 * decade * std::log10(std::max(error, 1e-12));
-    if (rtol < 2e-6) {
-      EXPECT_LT(error, 1e-3);
+  for (const auto method : {Method::reference, Method::fast}) {
+    double slope = 0.0;
+    std::printf("V8 stop distance 737, 52 to 80 kt, rms error, %s:", method == Method::fast ? "fast" : "reference");
+    std::array<double, 5> squares{};
+    for (double knots = 52.0; knots <= 80.0; knots += 4.0) {
+      const double exact = simulate(model, at(knots), with(1e-11)).stop_distance;
+      for (std::size_t decade = 0; decade < squares.size(); ++decade) {
+        const double rtol = std::pow(10.0, -5.0 - static_cast<double>(decade));
+        squares[decade] += std::pow(simulate(model, at(knots), with(rtol, method)).stop_distance - exact, 2) / 8.0;
+      }
     }
+    for (std::size_t decade = 0; decade < squares.size(); ++decade) {
+      const double error = std::sqrt(squares[decade]);
+      std::printf("  1e-%zu %.1e m", decade + 5, error);
+      slope += 0.1 * (2.0 - static_cast<double>(decade)) * std::log10(error);
+      if (decade >= 1) {
+        EXPECT_LT(error, 1e-3);
+      }
+    }
+    std::printf("  slope %.2f\n", slope);
+    EXPECT_GE(slope, 0.8);
   }
-  std::printf("  slope %.2f\n", slope);
-  EXPECT_GE(slope, 0.75);
 }
 
 TEST(StopDistance, IsWithinAMillimetreAtTheDefaultToleranceForEveryAircraftAndMethod) {
@@ -77,6 +86,48 @@ TEST(StopDistance, IsWithinAMillimetreAtTheDefaultToleranceForEveryAircraftAndMe
       EXPECT_LT(std::abs(reference), 1e-3) << name;
       EXPECT_LT(std::abs(fast), 1e-3) << name;
     }
+}
+
+/// A shipped bed and the shipped tables, lengthened until everything stops in it.
+Model shipped_model(const std::string& aircraft, const std::string& bed_name) {
+  auto plane = testing::shipped_aircraft(aircraft);
+  auto bed = bed::load_bed(shipped("designs/beds/" + bed_name + ".json"));
+  bed.distance.push_back(bed.distance.back() + 1500.0);
+  bed.depth.push_back(bed.depth.back());
+  std::vector<loadtables::LoadTable> tables;
+  for (const auto& [name, tire] : plane.tires)
+    tables.push_back(loadtables::load_table(shipped("loadtables/data/" + name + "_foam_50psi.h5")));
+  return make_model(std::move(plane), std::move(bed), tables);
+}
+
+TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed) {
+  // Against the same method at a thousandth of the tolerance, whose own error the tests above bound. Seven fast
+  // overruns of the B747-400, unbraked or in the raised bed, are nearly unstable: its bogies bounce in the ruts they
+  // dig and every small error grows. They miss the millimetre and are counted here, so that they cannot become more
+  // unseen.
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+    double worst = 0.0;
+    int runs = 0, beyond = 0;
+    for (const auto* bed : {"emas_14in_50psi", "emas_18in_50psi", "emas_18in_50psi_raised", "emas_24in_50psi"}) {
+      const auto model = shipped_model(name, bed);
+      for (double knots = 30.0; knots <= 80.0; knots += 10.0)
+        for (const double braking : {0.0, 0.25}) {
+          const auto overrun = at(knots, braking);
+          const double exact = simulate(model, overrun, with(1e-9, Method::fast)).stop_distance;
+          const double error = std::abs(simulate(model, overrun, with(1e-6, Method::fast)).stop_distance - exact);
+          ++runs;
+          worst = std::max(worst, error);
+          if (error > 1e-3) {
+            ++beyond;
+            std::printf("V9 %s %s %.0f kt braked %.2f: %.2f mm of %.2f m\n", name, bed, knots, braking, 1e3 * error,
+                        exact);
+          }
+        }
+    }
+    std::printf("V9 %s: %d runs, worst %.2f mm, %d beyond a millimetre\n", name, runs, 1e3 * worst, beyond);
+    EXPECT_LE(beyond, std::string(name) == "B747-400" ? 5 : 0) << name;
+    EXPECT_LT(worst, 0.05) << name;
+  }
 }
 
 TEST(TableError, ShrinksWithTheNodes) {
@@ -95,25 +146,35 @@ TEST(TableError, ShrinksWithTheNodes) {
   EXPECT_LT(std::abs(coarse - finest), 0.01 * finest);
 }
 
-/// Frequencies (Hz) and damping ratios of the rigid-body modes on pavement, friction and damping taken out.
-std::vector<double> frequencies(const std::string& name) {
+/// On pavement with friction and damping taken out, so that a disturbance rings on.
+Model ringing_model(const std::string& name) {
   auto model = testing::foam_model(name, testing::pavement());
   for (auto& gear : model.aircraft.gears) {
     gear.strut.friction = gear.strut.bearing_friction = 0.0;
     gear.strut.damping_compression = gear.strut.damping_rebound = 0.0;
   }
   model.aircraft.aero = {};
+  return model;
+}
+
+enum class Wheels { leave_out, spin_along };
+
+/// Frequencies (Hz) of its rigid-body modes: eigenvalues of the Jacobian. Wheels that spin along add their inertia to
+/// the fore-and-aft part of a mode.
+std::vector<double> frequencies(const std::string& name, Wheels wheels) {
+  const auto model = ringing_model(name);
   const auto overrun = at(30);
   const auto plant = make_plant(model, overrun);
-  const auto y = trim(plant, 15.0).state;
+  const auto y = trim(plant, 30.0).state;
   Surroundings around;
   around.ruts.resize(plant.rows.size());
   const auto n = static_cast<int>(y.size()), m = plant.degrees();
   std::vector<double> rate(y.size()), matrix(y.size() * y.size());
   jacobian(plant, around, 0.0, y.data(), rate.data(), matrix.data());
-  Eigen::MatrixXd a(2 * m, 2 * m);
-  for (int i = 0; i < 2 * m; ++i)
-    for (int j = 0; j < 2 * m; ++j) a(i, j) = matrix[static_cast<std::size_t>(i * n + j)];
+  const int size = wheels == Wheels::spin_along ? n : 2 * m;
+  Eigen::MatrixXd a(size, size);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) a(i, j) = matrix[static_cast<std::size_t>(i * n + j)];
   std::vector<double> found;
   const auto eigenvalues = a.eigenvalues();
   for (int i = 0; i < eigenvalues.size(); ++i)
@@ -142,13 +203,62 @@ TEST(Modes, HeaveAndPitchMatchTheUncoupledFormula) {
     const double two_pi = 2 * std::numbers::pi;
     const double f_heave = std::sqrt(heave / plane.mass) / two_pi,
                  f_pitch = std::sqrt(pitch / plane.pitch_inertia) / two_pi;
-    const auto modes = frequencies(name);
+    const auto modes = frequencies(name, Wheels::leave_out);
     ASSERT_GE(modes.size(), 2u) << name;
     const double low = std::min(f_heave, f_pitch), high = std::max(f_heave, f_pitch);
     std::printf("V7 modes %s: %.3f and %.3f Hz; uncoupled formula pitch %.3f, heave %.3f Hz\n", name, modes[0],
                 modes[1], f_pitch, f_heave);
     EXPECT_NEAR(modes[0], low, 0.1 * low) << name;
     EXPECT_NEAR(modes[1], high, 0.1 * high) << name;
+  }
+}
+
+TEST(Modes, AMillimetreOfFreeDecayRingsAtTheEigenvalues) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+    const auto model = ringing_model(name);
+    const auto overrun = at(60);
+    const auto plant = make_plant(model, overrun);
+    Surroundings around;
+    around.ruts.resize(plant.rows.size());
+    // Half a minute by Runge–Kutta 4: the height of a point ahead of the centre of gravity sees heave and pitch.
+    constexpr double dt = 2.5e-4, duration = 30.0;
+    auto y = trim(plant, 30.0).state;
+    y[1] += 1e-3;
+    const std::size_t states = y.size();
+    std::vector<double> k1(states), k2(states), k3(states), k4(states), at_stage(states), signal;
+    const auto stage = [&](const std::vector<double>& k, double h) {
+      for (std::size_t i = 0; i < states; ++i) at_stage[i] = y[i] + h * k[i];
+      return at_stage.data();
+    };
+    for (int i = 0; i < static_cast<int>(duration / dt); ++i) {
+      if (i % 40 == 0) signal.push_back(y[1] + 5.0 * y[2]);
+      derivatives(plant, around, 0.0, y.data(), k1.data());
+      derivatives(plant, around, 0.0, stage(k1, 0.5 * dt), k2.data());
+      derivatives(plant, around, 0.0, stage(k2, 0.5 * dt), k3.data());
+      derivatives(plant, around, 0.0, stage(k3, dt), k4.data());
+      for (std::size_t j = 0; j < states; ++j) y[j] += dt / 6.0 * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]);
+    }
+    double mean = 0.0;
+    for (const double each : signal) mean += each / static_cast<double>(signal.size());
+    // Fourier sums under a Hann window on a fine grid of frequencies; their peaks near the eigenvalues.
+    const auto amplitude = [&](double frequency) {
+      std::complex<double> sum = 0.0;
+      for (std::size_t i = 0; i < signal.size(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(signal.size()), t = share * duration;
+        sum += (signal[i] - mean) * (1.0 - std::cos(2 * std::numbers::pi * share)) *
+               std::polar(1.0, -2 * std::numbers::pi * frequency * t);
+      }
+      return std::abs(sum);
+    };
+    const auto modes = frequencies(name, Wheels::spin_along);
+    for (std::size_t k = 0; k < 2; ++k) {
+      double found = 0.0, largest = 0.0;
+      for (double f = 0.9 * modes[k]; f < 1.1 * modes[k]; f += 2e-4)
+        if (const double a = amplitude(f); a > largest) largest = a, found = f;
+      std::printf("V7 free decay %s: %.4f Hz, eigenvalue %.4f Hz (%+.2f %%)\n", name, found, modes[k],
+                  100.0 * (found / modes[k] - 1.0));
+      EXPECT_NEAR(found, modes[k], 0.005 * modes[k]) << name;
+    }
   }
 }
 
