@@ -81,8 +81,8 @@ inline loadtables::CrushBalance crush_law(const aircraft::Tire& tire, double str
 }
 
 /// The crush law at the nodes of a spline table (C² in between): what a fit to dense samples without noise would be.
-inline loadtables::LoadTable foam_table(const aircraft::Tire& tire, double strength = 50 * units::psi, int refine = 1) {
-  const auto law = crush_law(tire, strength);
+inline loadtables::LoadTable law_table(const aircraft::Tire& tire, const loadtables::CrushBalance& law,
+                                       int refine = 1) {
   auto data = std::make_shared<loadtables::LoadTable::Data>();
   data->tire = simulation::table_tire(tire);
   data->provenance.material = "closed form";
@@ -113,6 +113,10 @@ inline loadtables::LoadTable foam_table(const aircraft::Tire& tire, double stren
       for (int k = 0; k < data->ratio.coefficients(); ++k)
         for (const auto& plane : planes) data->coefficients.push_back(plane(j, k));
   return loadtables::LoadTable(std::shared_ptr<const loadtables::LoadTable::Data>(std::move(data)));
+}
+
+inline loadtables::LoadTable foam_table(const aircraft::Tire& tire, double strength = 50 * units::psi, int refine = 1) {
+  return law_table(tire, crush_law(tire, strength), refine);
 }
 
 /// Shipped aircraft with tables of the crush law on a bed of 50 psi foam. Tables are made once per program.
