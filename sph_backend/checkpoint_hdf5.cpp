@@ -40,6 +40,7 @@ std::string fingerprint(const RollingCase& c) {
                          c.behind,
                          c.press_speed,
                          c.accelerate_distance,
+                         c.fall,
                          c.release_spin_ratio,
                          c.alpha,
                          c.beta,

@@ -1,5 +1,7 @@
 #include "sph_backend/deck_json.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "apc/base/require.h"
@@ -94,6 +96,8 @@ RollingCase read_deck(const Json& file, const DeckNames& names) {
   c.ahead = file.quantity("ahead", length, c.ahead), c.behind = file.quantity("behind", length, c.behind);
   c.press_speed = file.quantity("press_speed", speed, c.press_speed);
   c.accelerate_distance = file.quantity("accelerate_distance", length, c.accelerate_distance);
+  c.fall = file.number("fall", c.fall);
+  file.check(std::abs(c.fall) <= 0.1, "fall", "must lie in [-0.1, 0.1]: the wheel's way down per length of way.");
   c.release_spin_ratio = file.number("release_spin_ratio", c.release_spin_ratio);
   if (file.has("viscosity")) {
     const Json viscosity = file.object("viscosity");

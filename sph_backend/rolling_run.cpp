@@ -71,6 +71,7 @@ RollingRun start_run(const RollingCase& setup, unsigned threads) {
   run.path.press_time = 1.875 * setup.penetration / setup.press_speed;
   run.path.accelerate_time = 2.0 * setup.accelerate_distance / setup.speed;
   run.path.speed = setup.speed;
+  run.path.fall = setup.fall, run.path.fall_from = setup.accelerate_distance + 2.0 * setup.window;
   run.path.release_spin = setup.release_spin_ratio * setup.speed / radius;
   run.law.friction = setup.friction;
   run.law.slip_speed = 0.02 * setup.speed;

@@ -149,6 +149,7 @@ RollingCase completed(const RollingCase& given) {
   require(c.penetration > 0.0, "penetration ", c.penetration / in, " in: must be positive.");
   require(c.penetration <= c.tire.diameter, "penetration ", c.penetration / in, " in exceeds the tire's diameter ",
           c.tire.diameter / in, " in.");
+  require(std::abs(c.fall) <= 0.1, "fall ", c.fall, ": a wheel sinks or rises by at most 0.1 per length of way.");
   const auto fill = [](double& value, double otherwise) {
     if (value <= 0.0) value = otherwise;
   };
@@ -207,8 +208,9 @@ bool judge(const RollingRun& run, std::size_t& judged, RollingResult& result) {
   if (h.drag.size() == judged) return false;
   judged = h.drag.size();
   if (h.distance.back() < setup.accelerate_distance + 2.0 * setup.window + run.bin()) return false;
+  if (setup.fall != 0.0 && h.distance.back() < setup.accelerate_distance + 3.0 * setup.window) return false;
   measure(run, result);
-  if (!settled(setup, result)) return false;
+  if (setup.fall == 0.0 && !settled(setup, result)) return false;
   result.state = RunState::steady;
   return true;
 }

@@ -31,7 +31,10 @@ struct RollingCase {
   double ahead = 0.0;           ///< m of free foam ahead of the axle; 0 = first touch + 0.35 R (at least 5 spacings)
   double behind = 0.0;          ///< m behind once it rolls; 0 = R (at least 8 spacings)
   double press_speed = 0.0;     ///< m/s, highest while pressing; 0 = 0.6 of `speed`, 4 to 15 m/s
-  double accelerate_distance = 0.0;       ///< m; 0 = R/2
+  double accelerate_distance = 0.0;  ///< m; 0 = R/2
+  /// Slope of the way down, positive while it sinks: loads are then means over two windows around the nominal
+  /// penetration, and settling is not asked for.
+  double fall = 0.0;
   double release_spin_ratio = 1.0 / 3.0;  ///< ω R/v when the spin is released
   double alpha = 0.1, beta = 2.0;         ///< artificial viscosity
   double cfl = 0.35;

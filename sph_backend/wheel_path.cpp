@@ -18,10 +18,13 @@ double ramp_integral(double t) {
 AxleState WheelPath::at(double time) const {
   AxleState a;
   const double down = time / press_time, forward = (time - press_time) / accelerate_time;
-  a.z = start_height + (end_height - start_height) * ramp(down);
-  a.vz = (end_height - start_height) * ramp_rate(down) / press_time;
+  const double pressed = end_height + fall * fall_from;
+  a.z = start_height + (pressed - start_height) * ramp(down);
+  a.vz = (pressed - start_height) * ramp_rate(down) / press_time;
   a.vx = speed * ramp(forward);
   a.x = speed * (accelerate_time * ramp_integral(forward) + std::max(0.0, time - release_time()));
+  a.z -= fall * a.x;
+  a.vz -= fall * a.vx;
   return a;
 }
 

@@ -19,7 +19,10 @@ void derivatives(const Plant& plant, const Surroundings& around, double time, co
 APC_FOR_EVERY_PROCESSOR
 void jacobian(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
               double* matrix, Moment* moment) {
-  jacobian_of(plant, around, time, y, dydt, matrix, moment);
+  if (plant.sinking.counts())
+    jacobian_of<5>(plant, around, time, y, dydt, matrix, moment);
+  else
+    jacobian_of<4>(plant, around, time, y, dydt, matrix, moment);
 }
 
 void directional(const Plant& plant, const Surroundings& around, double time, const double* y, const double* direction,

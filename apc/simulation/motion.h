@@ -66,6 +66,21 @@ GroundNumbers<Dual<N>> ground_numbers(const TireBed& ground, const effects::Tire
           combine(load.load.rut_depth, load.rut_depth), combine(load.load.spin_ratio, load.spin_ratio)};
 }
 
+/// What sinking adds to the load of the steady table (`Sinking`). Slow tires are pressed, not rolled: it fades below 1
+/// m/s.
+template <class T>
+void sink(const Sinking& law, const T& base_slope, double radius, const T& penetration, const T& speed, const T& climb,
+          GroundNumbers<T>& ground) {
+  using std::sqrt;
+  constexpr double steepest = 0.6, shallowest = 0.06;  // of α/sin θ; of sin²θ
+  const T incline = -1.0 * base_slope - climb * speed * (1.0 / (speed * speed + 1.0));
+  const T depth = value_of(penetration) < radius ? penetration : T(radius);
+  const T arc = sqrt(depth * (2.0 * radius - depth) * (1.0 / (radius * radius)) + shallowest);
+  const T angle = steepest * quick_tanh(incline / arc * (1.0 / steepest));
+  ground.drag = ground.drag + law.drag * angle * arc * ground.vertical;
+  ground.vertical = ground.vertical * (1.0 + law.vertical * angle);
+}
+
 /// Forces of one row on its axle and the rate of its spin.
 template <class T>
 struct RowForce {
@@ -95,8 +110,11 @@ RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index,
   Rut ahead;
   const bool follows = inside && row.ahead >= 0;
   if (follows) ahead = around.ruts[static_cast<std::size_t>(row.ahead)].at(x);
-  const auto ground = ground_numbers(group.ground, place, follows ? &ahead : nullptr, speed, depth, penetration, axle.x,
-                                     seen ? &seen->ground : nullptr);
+  auto ground = ground_numbers(group.ground, place, follows ? &ahead : nullptr, speed, depth, penetration, axle.x,
+                               seen ? &seen->ground : nullptr);
+  if (plant.sinking.counts() && inside && !follows && value_of(ground.vertical) > 0.0)
+    sink(plant.sinking, plant.base_falls ? chain(under.inclination.value, under.inclination.slope, axle.x) : T(0.0),
+         radius, penetration, speed, velocity.z, ground);
 
   const T along = quick_tanh(velocity.x * (1.0 / creep_speed));
   const double friction = inside ? group.braking_in_bed : group.braking;

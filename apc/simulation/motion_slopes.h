@@ -1,7 +1,7 @@
 /// The Jacobian of motion.h by the chain rule. A row depends on four numbers (where its axle is, its forward speed, its
-/// spin), a strut on three; with the accelerations held, what a gear passes to the body depends on nine numbers of its
-/// own and the spins of its rows. Last, the frozen accelerations are freed:  M da = dR,  ds″ = d(push) − e·(da +
-/// dθ″ρ^⊥).
+/// spin) and, where sinking counts, on a fifth, its climb; a strut on three; with the accelerations held, what a gear
+/// passes to the body depends on ten numbers of its own and the spins of its rows. Last, the frozen accelerations are
+/// freed:  M da = dR,  ds″ = d(push) − e·(da + dθ″ρ^⊥).
 ///
 /// Derivatives of the frame: ∂e/∂θ = n, ∂n/∂θ = −e, ∂ρ/∂θ = ρ^⊥, ∂ρ^⊥/∂θ = −ρ, ∂ρ/∂s = e, ∂ρ^⊥/∂s = n.
 #pragma once
@@ -10,14 +10,22 @@
 
 namespace apc::simulation {
 
-/// Columns of one gear: X Z θ s φ X′ θ′ s′ φ′, then its rows' spins.
-enum Column { in_x, in_z, in_pitch, in_stroke, in_beam, in_speed, in_turn, in_rate, in_beam_rate, in_spin };
+/// Columns of one gear: X Z θ s φ X′ θ′ s′ φ′ Z′, then its rows' spins.
+enum Column { in_x, in_z, in_pitch, in_stroke, in_beam, in_speed, in_turn, in_rate, in_beam_rate, in_climb, in_spin };
 inline constexpr int most_columns = in_spin + most_rows;
 
-inline void jacobian_of(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
-                        double* matrix, Moment* seen) {
+/// `N`: 4, or 5 where the rows answer to their climb.
+template <int N>
+void jacobian_of(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
+                 double* matrix, Moment* seen) {
   using P = Pair<double>;
-  using Local = Dual<4>;
+  using Local = Dual<N>;
+  const auto climb = [](double z) {
+    if constexpr (N > 4)
+      return Local::variable(z, 4);
+    else
+      return Local(z);
+  };
   RowForce<Local> rows[most_rows];
   BodyMotion body;
   motion(
@@ -25,7 +33,7 @@ inline void jacobian_of(const Plant& plant, const Surroundings& around, double t
         auto& row = rows[r];
         row = row_force<Local>(plant, around, r, time, body.nose,
                                {Local::variable(axle.x, 0), Local::variable(axle.z, 1)},
-                               {Local::variable(velocity.x, 2), Local(velocity.z)}, Local::variable(spin, 3), row_seen);
+                               {Local::variable(velocity.x, 2), climb(velocity.z)}, Local::variable(spin, 3), row_seen);
         return RowForce<double>{{row.force.x.value, row.force.z.value}, row.brake_torque.value, row.spin_rate.value};
       });
 
@@ -56,7 +64,7 @@ inline void jacobian_of(const Plant& plant, const Surroundings& around, double t
     const auto& group = plant.groups[static_cast<std::size_t>(g)];
     const auto& at = body.groups[static_cast<std::size_t>(g)];
     const int beam = group.bogie < 0 ? -1 : 3 + groups + group.bogie, columns = in_spin + group.rows;
-    int column[most_columns] = {0, 1, 2, 3 + g, beam, n, n + 2, n + 3 + g, n + beam};
+    int column[most_columns] = {0, 1, 2, 3 + g, beam, n, n + 2, n + 3 + g, n + beam, n + 1};
     for (int r = 0; r < group.rows; ++r) column[in_spin + r] = 2 * n + group.first_row + r;
 
     // Rows: forces, torque and beam moment by the gear's columns.
@@ -81,10 +89,24 @@ inline void jacobian_of(const Plant& plant, const Surroundings& around, double t
       const double u[in_spin] = {
           0.0, 0.0,         stroke_rate * across.x - q * rho.x, q * across.x, -beam_rate * out.x, 1.0, rho_turned.x,
           e.x, out_turned.x};
+      const double w[in_spin] = {0.0,
+                                 0.0,
+                                 stroke_rate * across.z - q * rho.z,
+                                 q * across.z,
+                                 -beam_rate * out.z,
+                                 0.0,
+                                 rho_turned.z,
+                                 e.z,
+                                 out_turned.z,
+                                 1.0};
       double* spin_row = matrix + (2 * n + index) * states;
       for (int k = 0; k < in_spin; ++k) {
-        if (beam < 0 && (k == in_beam || k == in_beam_rate)) continue;
-        const auto by = [&](const Local& f) { return f.d[0] * x[k] + f.d[1] * z[k] + f.d[2] * u[k]; };
+        if ((beam < 0 && (k == in_beam || k == in_beam_rate)) || (N < 5 && k == in_climb)) continue;
+        const auto by = [&](const Local& f) {
+          double sum = f.d[0] * x[k] + f.d[1] * z[k] + f.d[2] * u[k];
+          if constexpr (N > 4) sum += f.d[4] * w[k];
+          return sum;
+        };
         const double fx = by(row.force.x), fz = by(row.force.z);
         force_x[k] += fx;
         force_z[k] += fz;
@@ -128,7 +150,7 @@ inline void jacobian_of(const Plant& plant, const Surroundings& around, double t
     const P on_body{at.strut * e.x + across_load * across.x, at.strut * e.z + across_load * across.z};
     double* push = matrix + (n + 3 + g) * states;
     for (int k = 0; k < columns; ++k) {
-      if (beam < 0 && (k == in_beam || k == in_beam_rate)) continue;
+      if ((beam < 0 && (k == in_beam || k == in_beam_rate)) || (N < 5 && k == in_climb)) continue;
       P moved{force_x[k], force_z[k]};  // dF, then dQ
       double normal = dot(moved, across), strut_moved = 0.0;
       double de = 0.0, dn = 0.0;  // turning of the frame: e gains n dθ, n gains −e dθ

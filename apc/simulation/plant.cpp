@@ -125,6 +125,7 @@ Plant make_plant(const Model& model, const Overrun& overrun) {
   plant.timed_thrust = overrun.alterations.alter_thrust();
   plant.brake_mode = overrun.brake_mode;
   plant.wheel_spin = overrun.wheel_spin;
+  plant.sinking = overrun.sinking;
 
   plant.profile = Profile(model.bed, overrun.bed_depth);
   plant.base_falls = model.bed.flush == bed::Flush::top;

@@ -66,6 +66,7 @@ struct Plant {
   const effects::Alterations* alterations = nullptr;
   BrakeMode brake_mode = BrakeMode::friction;
   WheelSpin wheel_spin = WheelSpin::inertial;
+  Sinking sinking;
   std::vector<Group> groups;
   std::vector<Row> rows;
   Profile profile;

@@ -42,6 +42,16 @@ struct RutFollowing {
   double rolling_resistance = 0.02;  ///< drag / vertical on the floor of a rut
 };
 
+/// How the bed answers a tire that sinks or rises as it rolls, beyond the steady table: on a path inclined by α (down
+/// positive) against the base, vertical × (1 + `vertical` · α/sin θ) and drag + `drag` · α · vertical, with
+/// sin θ = √(2RP − P²)/R at the front end of the contact. A rigid wheel in foam of constant pressure gives 1 and 0: the
+/// arc in contact grows by α behind the lowest point, where pressure acts straight up. SPH of flexible
+/// tires gives 1.5 to 1.9 and 0.2 to 0.5. Off by default until it is tabulated per tire.
+struct Sinking {
+  double vertical = 0.0, drag = 0.0;
+  bool counts() const { return vertical != 0.0 || drag != 0.0; }
+};
+
 /// What happens. Defaults are ACRP Report 29's assumptions except braking, which is off unless asked for.
 struct Overrun {
   double entry_speed = 0.0;          ///< m/s, when the nose wheel crosses the bed's leading edge
@@ -55,6 +65,7 @@ struct Overrun {
   BrakeMode brake_mode = BrakeMode::friction;
   WheelSpin wheel_spin = WheelSpin::inertial;
   RutFollowing rut_following;
+  Sinking sinking;
   double bed_depth = 1.0;            ///< × the bed file's depth
   effects::Alterations alterations;  ///< effects, block strengths, table errors; nothing by default
 };

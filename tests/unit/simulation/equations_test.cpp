@@ -5,6 +5,7 @@
 #include "apc/base/require.h"
 #include "apc/simulation/dual.h"
 #include "apc/simulation/energy.h"
+#include "apc/simulation/motion.h"
 #include "apc/simulation/overrun_run.h"
 #include "apc/simulation/trim.h"
 #include "tests/support/simulation_models.h"
@@ -35,11 +36,13 @@ std::vector<double> lively_state(const Plant& plant) {
 }
 
 TEST(Equations, JacobianAgreesWithDifferencesForEveryShippedAircraft) {
-  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+  for (const auto& [name, sinking] :
+       {std::pair{"CRJ-200", 0.0}, {"B737-800", 0.0}, {"B747-400", 0.0}, {"B737-800", 1.0}, {"B747-400", 1.0}}) {
     const auto model = testing::foam_model(name, testing::foam_bed(0.45));
     Overrun overrun;
     overrun.entry_speed = 25.0;
     overrun.braking = 0.2;
+    overrun.sinking = {sinking, -0.4 * sinking};
     const auto plant = make_plant(model, overrun);
     const auto y = lively_state(plant);
     const auto around = surroundings_at_entry(plant);
@@ -61,6 +64,17 @@ TEST(Equations, JacobianAgreesWithDifferencesForEveryShippedAircraft) {
   }
 }
 
+TEST(Sinking, AddsTheArcBehindTheLowestPoint) {
+  // A rigid wheel in foam of constant pressure: vertical / (σ w R) = sin θ + sin α on a path that falls by α.
+  const double radius = 0.5, penetration = 0.2, front = 0.8;  // sin θ = √(2RP − P²)/R
+  for (const double fall : {-0.02, 0.01, 0.02}) {
+    GroundNumbers<double> ground{0.5, front, 0.1, 1.0};
+    sink<double>({1.0, 0.0}, 0.0, radius, penetration, 30.0, -30.0 * fall, ground);
+    EXPECT_NEAR(ground.vertical - front, std::sin(fall), 0.06 * std::abs(fall));  // blunted where the contact is short
+    EXPECT_EQ(ground.drag, 0.5);
+  }
+}
+
 TEST(Equations, ConserveEnergyAtEveryInstant) {
   // d(stores)/dt + Σ powers = 0 along the motion, checked at one instant by differences.
   for (const auto* name : {"CRJ-200", "B737-800", "B747-400"})
@@ -71,6 +85,7 @@ TEST(Equations, ConserveEnergyAtEveryInstant) {
       overrun.braking = 0.2;
       overrun.brake_mode = mode;
       overrun.thrust = -8000.0;
+      if (mode == BrakeMode::torque) overrun.sinking = {1.0, -0.4};
       const auto plant = make_plant(model, overrun);
       const auto y = lively_state(plant);
       const auto around = surroundings_at_entry(plant);

@@ -53,6 +53,14 @@ TEST(Kernel, IntegratesToOneAndHasItsSlope) {
 }
 
 TEST(WheelPath, VelocityIsTheSlopeOfThePosition) {
+  WheelPath sinking{1.2, 0.8, 0.1, 0.05, 30.0, 20.0, 0.03, 2.0};
+  for (const double t : {0.02, 0.08, 0.11, 0.14, 0.2}) {
+    const double d = 1e-6;
+    EXPECT_NEAR((sinking.at(t + d).z - sinking.at(t - d).z) / (2 * d), sinking.at(t).vz, 1e-4);
+  }
+  const double there =
+      0.15 + (2.0 - sinking.at(0.15).x) / 30.0;  // two metres on it is where it would be on a level way
+  EXPECT_NEAR(sinking.at(there).z, 0.8, 1e-12);
   const WheelPath path{1.2, 0.8, 0.1, 0.05, 30.0, 20.0};
   for (const double t : {0.02, 0.08, 0.11, 0.14, 0.2}) {
     const double d = 1e-6;

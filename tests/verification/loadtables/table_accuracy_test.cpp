@@ -112,7 +112,7 @@ TEST(ShippedTables, HoldWhatATableMustHold) {
     for (const auto& quality : table.quality()) EXPECT_GT(quality.r2, 0.9) << entry.path() << " " << quality.response;
     ++count;
   }
-  EXPECT_EQ(count, 5u);
+  EXPECT_EQ(count, 7u);
 }
 
 /// Where a wheel just crushes foam, drag is the crushing work per length of travel: strength × width × rut, and the
