@@ -93,8 +93,16 @@ TireState state_at(const Alterations& alterations, const TireFacts& facts, const
 /// Step 1: factors of all effects, of the bed and of the blocks.
 TireChange factors(const Alterations& alterations, const TireFacts& facts, const TireState& state) {
   TireChange change;
-  for (const Applied& a : alterations.effects)
-    if (a.effect.bed) a.effect.bed(state, a.values, change);
+  for (const Applied& a : alterations.effects) {
+    if (!a.effect.bed) continue;
+    if (!a.effect.fine) {
+      a.effect.bed(state, a.values, change);
+      continue;
+    }
+    TireState seen = state;
+    seen.bed_distance = state.bed_distance * (1.0 + alterations.place_stretch) + alterations.place_shift;
+    a.effect.bed(seen, a.values, change);
+  }
   change.strength *= alterations.bed_strength;
   if (facts.gear < alterations.strength.size())
     change.strength *= std::exp(alterations.strength[facts.gear].at(state.bed_distance));

@@ -39,7 +39,7 @@ struct Conditions {
 /// bistable (tires close to crushing through) grow until model and measurement are two different runs.
 struct Guide {
   std::vector<double> time, speed;  ///< evenly spaced from time.front(); s, m/s
-  double gain = 20.0;               ///< 1/s
+  double gain = 10.0;               ///< 1/s
   double speed_at(double at) const;
 };
 
@@ -50,6 +50,9 @@ struct Alterations {
   std::vector<TableError> table_errors;   ///< per gear group, or empty
   Conditions conditions;
   std::shared_ptr<const Guide> guide;  ///< null: the run is free
+  /// Where fine effects see a wheel: bed distance · (1 + stretch) + shift. The measured way of a run may be wrong by
+  /// decimetres, which matters to joints every metre.
+  double place_shift = 0.0, place_stretch = 0.0;  ///< m, 1
 
   bool alter_tires() const;          ///< false: tires see the plain tables
   bool alter_thrust() const;         ///< a force that depends on time acts, the guide included

@@ -68,6 +68,7 @@ struct Effect {
   std::function<void(Site&, Values)> site;
   std::function<double(double time, Values)> thrust;  ///< N forward; `time` after entry, negative before
   bool own = false;                                   ///< written by the user
+  bool fine = false;  ///< acts on places finer than the measured way is known: found and fitted run by run
 };
 
 /// An effect with its parameter values, SI, in the order of `Effect::parameters`.

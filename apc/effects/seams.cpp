@@ -30,6 +30,7 @@ Effect seams() {
                   {"width", "m", dimension::length, 0.03, 0.3, 0.1, 0.0},
                   {"offset", "m", dimension::length, 0.0, 2.5, 0.0, 0.0}};
   e.bed = act;
+  e.fine = true;
   return e;
 }
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <limits>
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
@@ -11,7 +10,14 @@
 namespace apc::learning {
 namespace {
 
-double stop_deviation(const Run& run) { return run.stop ? std::hypot(run.stop_noise, 0.003 * *run.stop) : 0.5; }
+/// A guided run's way is the measured speed's: its scale and bias are in the stop.
+double stop_deviation(const Run& run) {
+  if (!run.stop) return 0.5;
+  double scale = 0.003, bias = 0.0;
+  if (const Channel* speed = run.find(Quantity::speed)) scale = std::max(scale, speed->scale), bias = speed->bias;
+  const double seconds = 1.6 * *run.stop / std::max(5.0, run.overrun.entry_speed);
+  return std::hypot(std::hypot(run.stop_noise, scale * *run.stop), bias * seconds);
+}
 
 double range_of(const Background& b, Quantity quantity) {
   double low = 1e300, high = -1e300;
@@ -133,8 +139,6 @@ void improve(Background& b, int steps, double tolerance) {
       moved = true;
       break;
     }
-    if (std::getenv("APC_TRACE_FIT"))
-      std::fprintf(stderr, "  step %d objective %.1f -> %.1f\n", i, before, b.objective);
     if (!moved || before - b.objective < tolerance) break;
   }
   assemble(b);
@@ -168,10 +172,13 @@ Eigen::VectorXd whitened_misfit(const Background& b, std::size_t r, const Eigen:
   return misfit;
 }
 
+void renew_guides(Background& b) {
+  for (std::size_t r = 0; r < b.training; ++r) b.guides[r] = make_guide(b.runs[r], b.layout.runs[r], b.eta);
+}
+
 void linearise(Background& b) {
   const Eigen::VectorXd deviation = prior_deviation(b.layout, *b.data, b.runs, b.scatter);
   b.linear.assign(b.training, {});
-  for (std::size_t r = 0; r < b.training; ++r) b.guides[r] = make_guide(b.runs[r], b.layout.runs[r], b.eta);
   std::vector<std::pair<std::size_t, std::size_t>> jobs;  // run, column
   for (std::size_t r = 0; r < b.training; ++r) {
     RunLinear& l = b.linear[r];
@@ -277,15 +284,25 @@ Background fit_background(const Case& data, const BackgroundOptions& options) {
   assemble(b);
   improve(b, 4, 5.0);
   tell(0.5, "fitting the background with learned noise");
-  for (int i = 0; i < options.iterations; ++i) {
+  // Noise and nuisances are fitted in turn until the evidence no longer rises. A background stopped short of that lacks
+  // what an effect would then be called in for.
+  Background best;
+  double highest = -std::numeric_limits<double>::infinity();
+  int idle = 0;
+  for (int i = 0; i < options.iterations && idle < 2; ++i) {
+    if (i < 2) renew_guides(b);  // then they stay: a new guide is a new excitation, and nothing would settle
     linearise(b);
-    improve(b, 5, 2.0);
+    improve(b, 6, 1.0);
     learn_noise(b);
     assemble(b);
+    improve(b, 6, 1.0);
+    const double evidence = log_evidence(b);
+    idle = evidence > highest + 3.0 ? 0 : idle + 1;
+    if (i < 2 || evidence > highest) highest = evidence, best = b;
+    tell(0.5 + 0.5 * (i + 1) / options.iterations, "fitting the background until it settles");
   }
-  improve(b, 5, 1.0);
   tell(1.0, "background fitted");
-  return b;
+  return best;
 }
 
 Background refit_background(const Background& start, const std::vector<effects::Applied>& added, int linearisations,

@@ -46,7 +46,7 @@ struct Background {
 using Report = std::function<void(double share, const std::string& what)>;
 
 struct BackgroundOptions {
-  int iterations = 1;  ///< renewals of the sensitivities after the first
+  int iterations = 4;  ///< at most; renewals of the sensitivities after the first
   unsigned threads = 0;
   Report report;
 };
@@ -62,6 +62,8 @@ Eigen::VectorXd whitened_misfit(const Background&, std::size_t run, const Eigen:
 void whiten_rows(const Background&, std::size_t run, Eigen::Ref<Eigen::MatrixXd> columns);
 double prior_term(const Background&, const Eigen::VectorXd& eta);
 
+/// Guides of all runs made anew from what `eta` says about their instruments.
+void renew_guides(Background&);
 /// Recomputes all sensitivities at `eta` (about a hundred simulations per run).
 void linearise(Background&);
 /// Misfits at `eta` and all products, under the present noise, with the sensitivities at hand.

@@ -153,6 +153,20 @@ std::string overlay_json(const Study& study, const std::string& command) {
   return file.dump(1) + "\n";
 }
 
+LearnedRange learned_range(const std::filesystem::path& path) {
+  const Json file = read_json(path);
+  LearnedRange range;
+  if (!file.has("learned_on")) return range;
+  const Json on = file.object("learned_on");
+  const auto pair = [&](const char* key, Dimension dimension) {
+    const auto values = on.texts(key);
+    require(values.size() == 2, path, ": learned_on.", key, ": two values are needed, lowest and highest");
+    return std::array<double, 2>{parse_quantity(values[0], dimension), parse_quantity(values[1], dimension)};
+  };
+  const auto speed = pair("speed", dimension::speed), mass = pair("mass", dimension::mass);
+  return {speed[0], speed[1], mass[0], mass[1]};
+}
+
 std::vector<effects::Applied> load_overlay(const std::filesystem::path& path,
                                            const std::vector<effects::Effect>& known) {
   const Json file = read_json(path);

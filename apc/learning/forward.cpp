@@ -145,10 +145,12 @@ simulation::Overrun overrun_of(const Case& data, const Layout& layout, std::size
   // The quoted inertia belongs to the quoted mass; a mass nobody knew takes its inertia along.
   o.pitch_inertia *= std::exp(eta[at.inertia] + (run.mass_known ? 0.0 : eta[at.mass]));
   o.headwind += eta[at.wind];
+  o.sinking = {1.0 + eta[layout.sinking], eta[layout.sinking_drag]};
   effects::Alterations& a = o.alterations;
   a.effects = added;
   a.conditions = run.conditions;
   a.bed_strength = std::exp(eta[layout.bed_strength]);
+  a.place_shift = eta[at.shift], a.place_stretch = eta[at.stretch];
   const auto profile = [&](Eigen::Index first) {
     effects::StrengthProfile p;
     p.spacing = layout.spacing;

@@ -71,7 +71,7 @@ Evidence evidence_of(const Scores& scores, const Candidate& candidate) {
   for (Eigen::Index i = 0; i < n; ++i)
     if (candidate.positive[static_cast<std::size_t>(i)])
       value += std::log(2.0) + log_normal_share(mode[i] / std::sqrt(std::max(result.covariance(i, i), 1e-300)));
-  result.log_evidence = value;
+  result.log_evidence = value + candidate.log_weight;
   return result;
 }
 

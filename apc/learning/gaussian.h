@@ -28,6 +28,7 @@ struct Candidate {
   std::vector<Eigen::Index> columns;
   std::vector<double> deviation;  ///< prior standard deviation of each amplitude
   std::vector<bool> positive;     ///< amplitude may not be negative (half-normal prior)
+  double log_weight = 0.0;        ///< added to its evidence: what choosing these columns among their like costs
 };
 
 struct Evidence {

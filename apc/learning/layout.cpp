@@ -10,6 +10,8 @@ namespace {
 
 // A delay has root mean square `lag` and is half-normal: mean 0.80 lag, deviation 0.60 lag.
 constexpr double lag_mean = 0.798, lag_deviation = 0.603;
+// The response to sinking is derived for a rigid wheel; a tire flattens.
+constexpr double sinking_deviation = 0.4, sinking_drag_deviation = 0.3;
 constexpr double bed_strength_deviation = 0.04, drag_deviation = 0.08, cg_height_deviation = 0.02;
 
 /// Covariance of block strengths of all runs of one lane, in the order run by run: nose knots, main knots.
@@ -47,7 +49,7 @@ Eigen::MatrixXd block_covariance(const Layout& layout, const std::vector<std::si
 
 std::vector<Eigen::Index> Layout::simulated(std::size_t run) const {
   const RunLayout& r = runs[run];
-  std::vector<Eigen::Index> result = {bed_strength, cg, drag, cg_height};
+  std::vector<Eigen::Index> result = {bed_strength, cg, drag, cg_height, sinking, sinking_drag};
   for (Eigen::Index i = 0; i < table_numbers * static_cast<Eigen::Index>(tables); ++i) result.push_back(table + i);
   for (const Eigen::Index i : {r.entry_speed, r.mass, r.cg, r.inertia, r.wind}) result.push_back(i);
   for (Eigen::Index i = 0; i < r.blocks; ++i) result.push_back(r.nose_blocks + i);
@@ -68,11 +70,13 @@ Layout make_layout(const Case& data, const std::vector<Run>& runs) {
   layout.spacing = block * std::clamp(std::round(data.correlation / (2.0 * block)), 2.0, 4.0);
   Eigen::Index next = 0;
   layout.bed_strength = next++, layout.cg = next++, layout.drag = next++, layout.cg_height = next++;
+  layout.sinking = next++, layout.sinking_drag = next++;
   layout.table = next;
   next += table_numbers * static_cast<Eigen::Index>(layout.tables);
   for (const Run& run : runs) {
     RunLayout r;
     r.entry_speed = next++, r.mass = next++, r.cg = next++, r.inertia = next++, r.wind = next++, r.clock = next++;
+    r.shift = next++, r.stretch = next++;
     for (std::size_t c = 0; c < run.channels.size(); ++c)
       r.bias.push_back(next++), r.scale.push_back(next++), r.lag.push_back(next++);
     const double reach = std::min(data.bed.length(), run.stop ? *run.stop + 6.0 : data.bed.length());
@@ -100,6 +104,7 @@ Eigen::VectorXd prior_deviation(const Layout& layout, const Case& data, const st
   deviation[layout.cg] = runs.empty() ? 0.02 : runs.front().uncertainty.cg;
   deviation[layout.drag] = drag_deviation;
   deviation[layout.cg_height] = cg_height_deviation;
+  deviation[layout.sinking] = sinking_deviation, deviation[layout.sinking_drag] = sinking_drag_deviation;
   for (std::size_t gear = 0; gear < layout.table_of_gear.size(); ++gear) {
     const auto first = layout.table + table_numbers * static_cast<Eigen::Index>(layout.table_of_gear[gear]);
     for (Eigen::Index i = 0; i < table_numbers; ++i)
@@ -114,6 +119,12 @@ Eigen::VectorXd prior_deviation(const Layout& layout, const Case& data, const st
     deviation[at.inertia] = run.uncertainty.pitch_inertia / run.overrun.pitch_inertia;
     deviation[at.wind] = run.uncertainty.wind;
     deviation[at.clock] = run.uncertainty.clock;
+    // A late clock is a way too short; a speed read too high stretches it.
+    double scale = 0.003, bias = 0.05;
+    if (const Channel* speed = run.find(Quantity::speed)) scale = speed->scale, bias = speed->bias;
+    const double entry = std::max(5.0, run.overrun.entry_speed);
+    deviation[at.shift] = std::hypot(run.uncertainty.clock * entry, 0.1);
+    deviation[at.stretch] = std::hypot(scale, bias / (0.6 * entry), 1e-3);
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       deviation[at.bias[c]] = std::max(run.channels[c].bias, 1e-3 * run.channels[c].noise);
       deviation[at.scale[c]] = std::max(run.channels[c].scale, 1e-5);

@@ -1,8 +1,10 @@
 /// The unknowns of a case without any missing effect: which there are, how wide their priors are, and how a vector of
 /// them becomes a simulation. All entries are deviations from the nominal model, in the unit given below.
 ///
-///   per case: ln bed strength, cg offset (m), ln drag coefficient, cg height (m), 12 table-error numbers per table
+///   per case: ln bed strength, cg offset (m), ln drag coefficient, cg height (m),
+///             response to sinking: vertical, drag (simulation::Sinking), 12 table-error numbers per table
 ///   per run:  entry speed (m/s), ln mass, cg (m), ln pitch inertia, wind (m/s), clock (s),
+///             shift (m) and stretch of its way along the bed (only where fine effects are fitted),
 ///             per channel bias, scale, lag (s); block strengths (ln) under the nose and under the other gears
 #pragma once
 
@@ -26,14 +28,15 @@ struct Scatter {
 inline constexpr Eigen::Index table_numbers = 12;
 
 struct RunLayout {
-  Eigen::Index entry_speed = 0, mass = 0, cg = 0, inertia = 0, wind = 0, clock = 0;
+  Eigen::Index entry_speed = 0, mass = 0, cg = 0, inertia = 0, wind = 0, clock = 0, shift = 0, stretch = 0;
   std::vector<Eigen::Index> bias, scale, lag;                 ///< per channel
   Eigen::Index nose_blocks = 0, main_blocks = 0, blocks = 0;  ///< first index; number of knots each
 };
 
 struct Layout {
   Eigen::Index size = 0;
-  Eigen::Index bed_strength = 0, cg = 0, drag = 0, cg_height = 0, table = 0;  ///< table: first of 12 per distinct table
+  Eigen::Index bed_strength = 0, cg = 0, drag = 0, cg_height = 0, sinking = 0, sinking_drag = 0,
+               table = 0;                  ///< table: first of 12 per distinct table
   std::vector<std::size_t> table_of_gear;  ///< index of the distinct table each gear uses
   std::size_t tables = 1;
   double spacing = 1.22;  ///< of block knots, m

@@ -17,7 +17,13 @@ struct Free {
   std::size_t effect = 0, parameter = 0;
   double mean = 0.0, deviation = 1.0, low = 0.0, high = 1.0, step = 0.0;
   bool positive = false;
+  Eigen::Index unknown = -1;  ///< the place of a run: index in eta; then `effect` and `parameter` mean nothing
+  std::size_t run = 0;
 };
+
+double& value_of(const Free& f, std::vector<Applied>& set, Eigen::VectorXd& eta) {
+  return f.unknown >= 0 ? eta[f.unknown] : set[f.effect].values[f.parameter];
+}
 
 /// Shapes that the data seldom tell and that would only blur the amplitude stay at their usual values.
 bool kept_fixed(const std::string& effect, const std::string& parameter) {
@@ -31,7 +37,7 @@ std::vector<Free> free_parameters(const std::vector<Applied>& set) {
     for (std::size_t k = 0; k < set[e].effect.parameters.size(); ++k) {
       const effects::Parameter& p = set[e].effect.parameters[k];
       if (kept_fixed(set[e].effect.id, p.name)) continue;
-      Free f{e, k, 0.0, 1.0, p.low, p.high, 0.0, false};
+      Free f{e, k, 0.0, 1.0, p.low, p.high, 0.0, false, -1, 0};
       if (k == 0) {
         f.mean = p.neutral;
         f.deviation = amplitude_deviation(p);
@@ -49,9 +55,21 @@ std::vector<Free> free_parameters(const std::vector<Applied>& set) {
   return result;
 }
 
+/// Where each run is along the bed, for effects finer than that is known.
+void add_places(const Background& b, const std::vector<Applied>& set, std::vector<Free>& list) {
+  if (std::none_of(set.begin(), set.end(), [](const Applied& a) { return a.effect.fine; })) return;
+  for (std::size_t r = 0; r < b.training; ++r)
+    for (const Eigen::Index unknown : {b.layout.runs[r].shift, b.layout.runs[r].stretch}) {
+      const double deviation = 1.0 / std::sqrt(b.prior.precision(unknown, unknown));
+      list.push_back({0, 1, 0.0, deviation, -4.0 * deviation, 4.0 * deviation, 0.05 * deviation, false, unknown, r});
+    }
+}
+
+/// Of effect parameters; the places' prior is among the nuisances'.
 double prior_of(const std::vector<Free>& free, const std::vector<Applied>& set) {
   double sum = 0.0;
-  for (const Free& f : free) sum += std::pow((set[f.effect].values[f.parameter] - f.mean) / f.deviation, 2);
+  for (const Free& f : free)
+    if (f.unknown < 0) sum += std::pow((set[f.effect].values[f.parameter] - f.mean) / f.deviation, 2);
   return sum;
 }
 
@@ -81,11 +99,15 @@ std::vector<double> parameter_deviations(const Applied& applied, const SetFit& f
   return result;
 }
 
-SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::vector<Applied>& start, int iterations) {
+SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::vector<Applied>& start, int iterations,
+              const std::vector<std::array<double, 2>>& places) {
   SetFit fit;
   fit.effects = start;
   fit.eta = b.eta;
-  const std::vector<Free> free = free_parameters(start);
+  for (std::size_t r = 0; r < places.size(); ++r)
+    fit.eta[b.layout.runs[r].shift] = places[r][0], fit.eta[b.layout.runs[r].stretch] = places[r][1];
+  std::vector<Free> free = free_parameters(start);
+  add_places(b, start, free);
   const auto n = static_cast<Eigen::Index>(free.size());
   std::vector<Eigen::VectorXd> misfits;
   fit.objective = objective_of(b, fit.eta, fit.effects, free, misfits);
@@ -100,15 +122,17 @@ SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::v
     parallel_for(b.training * free.size(), b.threads, [&](std::size_t job) {
       const std::size_t r = job / free.size(), k = job % free.size();
       const Free& f = free[k];
+      if (f.unknown >= 0 && f.run != r) return;
       auto up = fit.effects, down = fit.effects;
-      double& above = up[f.effect].values[f.parameter];
-      double& below = down[f.effect].values[f.parameter];
+      Eigen::VectorXd eta_up = fit.eta, eta_down = fit.eta;
+      double& above = value_of(f, up, eta_up);
+      double& below = value_of(f, down, eta_down);
       above = std::min(above + f.step, std::max(f.high, above));
       below = std::max(below - f.step, std::min(f.low, below));
       if (above - below <= 0.0) return;
       try {
         E[r].col(static_cast<Eigen::Index>(k)) =
-            -(whitened_misfit(b, r, fit.eta, together(b, up)) - whitened_misfit(b, r, fit.eta, together(b, down))) /
+            -(whitened_misfit(b, r, eta_up, together(b, up)) - whitened_misfit(b, r, eta_down, together(b, down))) /
             (above - below);
       } catch (const SolveError&) {
         return;  // an impossible neighbour: no information from this run
@@ -129,7 +153,8 @@ SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::v
     }
     for (Eigen::Index k = 0; k < n; ++k) {
       const Free& f = free[static_cast<std::size_t>(k)];
-      gradient[k] -= lambda[k] * (fit.effects[f.effect].values[f.parameter] - f.mean);
+      gradient[k] -= lambda[k] * (value_of(f, fit.effects, fit.eta) - f.mean);
+      if (f.unknown >= 0) gradient_eta[f.unknown] = 0.0;  // moves with the effects, not with the nuisances
     }
     const Eigen::MatrixXd solved = nuisances.factor.solve(cross);
     const Eigen::VectorXd free_step = nuisances.factor.solve(gradient_eta);
@@ -140,15 +165,15 @@ SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::v
     const double before = fit.objective;
     for (double share = 1.0; share > 0.1; share *= 0.4) {
       auto trial = fit.effects;
+      Eigen::VectorXd eta = fit.eta + share * step;
       for (Eigen::Index k = 0; k < n; ++k) {
         const Free& f = free[static_cast<std::size_t>(k)];
-        double& value = trial[f.effect].values[f.parameter];
-        const double limit = f.parameter == 0 ? 1e300 : 0.2 * (f.high - f.low);
+        double& value = value_of(f, trial, eta);
+        const double limit = f.parameter == 0 ? 1e300 : f.unknown >= 0 ? 0.5 * f.deviation : 0.2 * (f.high - f.low);
         value = std::clamp(value + std::clamp(share * q[k], -limit, limit), std::min(f.low, value),
                            std::max(f.high, value));
       }
       std::vector<Eigen::VectorXd> there;
-      const Eigen::VectorXd eta = fit.eta + share * step;
       double after = 0.0;
       try {
         after = objective_of(b, eta, trial, free, there);
@@ -170,7 +195,7 @@ SetFit refine(const Background& b, const NuisanceFactor& nuisances, const std::v
     const Free& f = free[static_cast<std::size_t>(k)];
     fit.log_evidence += 0.5 * std::log(lambda[k]) - 0.5 * std::log(std::max(pivots[k], 1e-300));
     if (f.parameter == 0 && f.positive) fit.log_evidence += std::log(2.0);
-    const double value = fit.effects[f.effect].values[f.parameter];
+    const double value = value_of(f, fit.effects, fit.eta);
     fit.at_bound.push_back(value <= f.low || value >= f.high);
   }
   return fit;

@@ -2,6 +2,8 @@
 /// sensitivities of nuisances stay those of the background; those of the effects are taken anew at every step.
 #pragma once
 
+#include <array>
+
 #include "apc/learning/background.h"
 
 namespace apc::learning {
@@ -29,6 +31,8 @@ struct NuisanceFactor {
 std::size_t free_parameter_count(const effects::Applied&);
 std::vector<double> parameter_deviations(const effects::Applied&, const SetFit&, std::size_t column);
 
-SetFit refine(const Background&, const NuisanceFactor&, const std::vector<effects::Applied>& start, int iterations);
+/// `places`: shift (m) and stretch of each training run's way to start from, where a fine effect is among the set.
+SetFit refine(const Background&, const NuisanceFactor&, const std::vector<effects::Applied>& start, int iterations,
+              const std::vector<std::array<double, 2>>& places = {});
 
 }  // namespace apc::learning

@@ -5,6 +5,7 @@
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
+#include "apc/learning/seam_search.h"
 
 namespace apc::learning {
 namespace {
@@ -130,18 +131,19 @@ void add_effects(const Background& b, const std::vector<Effect>& effects, Collec
   for (const Effect& effect : effects) {
     if (std::any_of(b.added.begin(), b.added.end(), [&](const Applied& a) { return a.effect.id == effect.id; }))
       continue;
+    if (effect.fine) continue;
     const auto shapes = shapes_of(effect, b);
     for (const Applied& shape : shapes) {
       Hypothesis h;
       h.id = effect.id;
       h.applied = shape;
-      h.shapes = static_cast<double>(shapes.size());
       const effects::Parameter& amplitude = effect.parameters.front();
       const double sign = amplitude.usual < amplitude.neutral ? -1.0 : 1.0;
       steps.push_back(sign * 0.3 * std::abs(amplitude.usual - amplitude.neutral));
       h.candidate = {{static_cast<Eigen::Index>(applied.size())},
                      {amplitude_deviation(amplitude)},
-                     {amplitude_positive(amplitude)}};
+                     {amplitude_positive(amplitude)},
+                     0.0};
       // One-sided amplitudes that fall (lock_up) count downwards.
       if (sign < 0.0) h.candidate.positive = {false};
       applied.push_back(shape);
@@ -150,6 +152,27 @@ void add_effects(const Background& b, const std::vector<Effect>& effects, Collec
   }
   const Eigen::Index first = collector.simulate(applied, steps);
   for (Hypothesis& h : list) h.candidate.columns.front() += first;
+}
+
+/// Joints: their place is searched run by run, one entry per pitch.
+void add_fine(const Background& b, const std::vector<Effect>& effects, Collector& collector,
+              std::vector<Hypothesis>& list) {
+  for (const Effect& effect : effects) {
+    if (!effect.fine ||
+        std::any_of(b.added.begin(), b.added.end(), [&](const Applied& a) { return a.effect.id == effect.id; }))
+      continue;
+    for (SeamFit& fit : search_seams(b, effect)) {
+      Hypothesis h;
+      h.id = effect.id;
+      h.applied = std::move(fit.applied);
+      h.places = std::move(fit.places);
+      const Eigen::Index column = collector.grow(1);
+      for (std::size_t r = 0; r < b.training; ++r) collector.run(r).col(column) = fit.columns[r];
+      const effects::Parameter& amplitude = effect.parameters.front();
+      h.candidate = {{column}, {amplitude_deviation(amplitude)}, {amplitude_positive(amplitude)}, fit.log_weight};
+      list.push_back(std::move(h));
+    }
+  }
 }
 
 /// Faults of a channel in all runs or in one: scale (5 %), bias (five times the quoted), lag (0.25 s).
@@ -167,7 +190,6 @@ void add_sensors(const Background& b, Collector& collector, std::vector<Hypothes
         Hypothesis h;
         h.kind = Hypothesis::Kind::sensor;
         h.id = name_of(quantity) + "." + faults[fault];
-        h.shapes = 1.0;
         double deviation = 0.0;
         const Eigen::Index column = collector.grow(1);
         for (std::size_t r = 0; r < b.training; ++r) {
@@ -186,7 +208,7 @@ void add_sensors(const Background& b, Collector& collector, std::vector<Hypothes
           }
         }
         if (deviation == 0.0) continue;
-        h.candidate = {{column}, {deviation}, {false}};
+        h.candidate = {{column}, {deviation}, {false}, 0.0};
         list.push_back(std::move(h));
       }
 }
@@ -247,16 +269,6 @@ std::vector<Applied> shapes_of(const Effect& effect, const Background& b) {
     one.values[parameter] = value;
     result.push_back(one);
   };
-  if (effect.id == "seams") {
-    const double block = b.data->bed.block_length > 0.0 ? b.data->bed.block_length : 1.2192;
-    for (const double width : {0.08, 0.16})
-      for (int i = 0; i < 8; ++i) {
-        Applied one = neutral;
-        one.values[1] = block, one.values[2] = width, one.values[3] = block * i / 8.0;
-        result.push_back(one);
-      }
-    return result;
-  }
   if (effect.id == "tire_loss") {
     for (double at = 5.0; at < longest_way(b) - 5.0; at += 5.0) with(1, at);
     return result;
@@ -278,6 +290,7 @@ Screen screen(const Background& b, const std::vector<Effect>& effects, const Rep
   Screen result;
   Collector collector(b);
   add_effects(b, effects, collector, result.hypotheses);
+  add_fine(b, effects, collector, result.hypotheses);
   if (report) report(0.6, "screening effects");
   add_sensors(b, collector, result.hypotheses);
   add_learned(b, collector, result.hypotheses);

@@ -2,6 +2,8 @@
 /// fault, and force laws to be learned. Scored all at once against the fitted background.
 #pragma once
 
+#include <array>
+
 #include "apc/learning/background.h"
 
 namespace apc::learning {
@@ -13,7 +15,7 @@ struct Hypothesis {
   std::string run;           ///< sensor faults of one run only
   effects::Applied applied;  ///< effects: with the shape of this entry; the amplitude is the unit of the column
   Candidate candidate;       ///< columns in `Screen::scores`, amplitude priors
-  double shapes = 1.0;       ///< how many entries share this id: the look-elsewhere factor
+  std::vector<std::array<double, 2>> places;  ///< fine effects: shift (m) and stretch of each run's way
 };
 
 struct Screen {
