@@ -11,10 +11,13 @@
 #include "apc/base/units.h"
 #include "apc/cli/commands.h"
 #include "apc/cli/inputs.h"
+#include "apc/effects/catalogue.h"
+#include "apc/learning/diagnosis_json.h"
 #include "apc/report/brief.h"
 #include "apc/report/history_table.h"
 #include "apc/report/page.h"
 #include "apc/report/result_json.h"
+#include "apc/report/sha256.h"
 
 namespace apc::cli {
 namespace {
@@ -24,8 +27,8 @@ namespace fs = std::filesystem;
 /// The command's options as typed; empty = not given.
 struct Words {
   Choice choice;
-  std::string speed, mass, cg, braking, braking_in_bed, thrust, headwind, method = "reference", rtol;
-  fs::path out;
+  std::string speed, mass, cg, braking, braking_in_bed, thrust, headwind, sinking, method = "reference", rtol;
+  fs::path out, effects;
 };
 
 double dimensionless(const std::string& option, const std::string& text, double low, double high) {
@@ -61,6 +64,7 @@ simulation::Overrun read_overrun(const Words& words, const aircraft::Aircraft& p
   if (!words.braking.empty()) overrun.braking = dimensionless("--braking", words.braking, 0.0, 1.0);
   if (!words.braking_in_bed.empty())
     overrun.braking_in_bed = dimensionless("--braking-in-bed", words.braking_in_bed, 0.0, 1.0);
+  if (!words.sinking.empty()) overrun.sinking.vertical = dimensionless("--sinking", words.sinking, 0.0, 3.0);
   if (!words.thrust.empty()) {
     overrun.thrust = option_quantity("--thrust", words.thrust, dimension::force);
     require(std::abs(overrun.thrust) <= plane.mass * units::g0, "--thrust: \"", words.thrust,
@@ -97,7 +101,15 @@ void simulate_overrun(const Words& words, Settings& settings) {
   read_speed(words.speed);  // the cheapest mistakes are told before any file is read
   const auto options = read_options(words);
   auto inputs = read_inputs(words.choice);
-  const auto overrun = read_overrun(words, inputs.model.aircraft);
+  auto overrun = read_overrun(words, inputs.model.aircraft);
+  if (!words.effects.empty()) {
+    overrun.alterations.effects = learning::load_overlay(words.effects, effects::catalogue());
+    const auto range = learning::learned_range(words.effects);
+    if (overrun.entry_speed < range.slowest - 0.5 || overrun.entry_speed > range.fastest + 0.5)
+      std::fprintf(stderr, "warning: %s was learned on runs of %.0f to %.0f kt; at %s its effects are extrapolated\n",
+                   words.effects.c_str(), range.slowest / units::kt, range.fastest / units::kt, words.speed.c_str());
+    inputs.files.push_back({"model", words.effects.string(), report::sha256(read_text(words.effects)), "learned"});
+  }
   Progress progress("overrun of the " + inputs.model.aircraft.name);
   report::OverrunRecord record{std::move(inputs.model), overrun, options, {}, {}};
   record.result = simulation::simulate(record.model, overrun, options);
@@ -148,6 +160,12 @@ void add_simulate(CLI::App& program, Settings& settings) {
       ->type_name("NUMBER");
   command->add_option("--thrust", words->thrust, "net thrust, forward positive (default \"0 kN\")")->type_name("FORCE");
   command->add_option("--headwind", words->headwind, "along the runway (default \"0 kt\")")->type_name("SPEED");
+  command
+      ->add_option("--sinking", words->sinking,
+                   "response to the rate of sinking: 0 = steady tables (default), 1 = rigid wheel")
+      ->type_name("NUMBER");
+  command->add_option("--model", words->effects, "effects added to the model: what apc add wrote (apc-model/1)")
+      ->type_name("FILE");
   command->add_option("--method", words->method, "reference (CVODE) or fast (Rosenbrock)")->type_name("reference|fast");
   command->add_option("--rtol", words->rtol, "relative tolerance of the integration (default 1e-6)")
       ->type_name("NUMBER");

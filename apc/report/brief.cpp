@@ -14,6 +14,15 @@ using simulation::GearSummary;
 
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
+  for (const auto& applied : record.overrun.alterations.effects) {
+    out += fmt::format("  with           {} ({}):", applied.effect.title, applied.effect.id);
+    for (std::size_t i = 0; i < applied.values.size(); ++i) {
+      const auto& parameter = applied.effect.parameters[i];
+      out += fmt::format(" {} {:.4g}{}{}", parameter.name, applied.values[i], parameter.unit.empty() ? "" : " ",
+                         parameter.unit);
+    }
+    out += "\n";
+  }
   if (result.outcome == simulation::Outcome::gear_limit) out += "  " + result.message + "\n";
   if (std::isfinite(result.stop_distance))
     out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",

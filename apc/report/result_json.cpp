@@ -52,6 +52,16 @@ Value inputs_json(const OverrunRecord& record) {
   out["braking_in_bed"] = overrun.braking_in_bed < 0 ? overrun.braking : overrun.braking_in_bed;
   out["thrust"] = overrun.thrust;
   out["headwind"] = overrun.headwind;
+  out["sinking"] = overrun.sinking.vertical;
+  if (!overrun.alterations.effects.empty()) {
+    out["effects"] = Value::array();
+    for (const auto& applied : overrun.alterations.effects) {
+      Value one{{"id", applied.effect.id}};
+      for (std::size_t i = 0; i < applied.values.size(); ++i)
+        one["parameters"][applied.effect.parameters[i].name] = applied.values[i];
+      out["effects"].push_back(std::move(one));
+    }
+  }
   out["method"] = record.options.method == simulation::Method::fast ? "fast" : "reference";
   out["rtol"] = record.options.rtol;
   out["sampling"] = record.options.sampling;
