@@ -40,9 +40,9 @@ learning::Study study_of(const learning::Case& data, const LearnWords& words, co
 std::string verdict_text(const learning::Study& study) {
   const learning::Diagnosis& d = study.diagnosis;
   std::string out =
-      "warning: experimental. The probabilities are not calibrated: on the documented example this names a wrong "
-      "effect\n"
-      "with 0.94. Take the ranking as a hint where to look, and quote none of it.\n" +
+      "warning: experimental. The probabilities are not calibrated: on 32 measured cases with known truth the right\n"
+      "effect came first in 5 of 15 where one was hidden and visible, and a wrong one had 0.8 or more in 6 of 32.\n"
+      "Take the ranking as a hint where to look, and quote none of it.\n" +
       fmt::format("VERDICT  {}", learning::text(d.verdict));
   if (!d.learned.empty()) out += ": a force that follows \"" + d.learned + "\", none of the catalogue";
   out += "\n";
