@@ -40,8 +40,8 @@ learning::Study study_of(const learning::Case& data, const LearnWords& words, co
 std::string verdict_text(const learning::Study& study) {
   const learning::Diagnosis& d = study.diagnosis;
   std::string out =
-      "warning: experimental. The probabilities are not calibrated: on 32 measured cases with known truth the right\n"
-      "effect came first in 5 of 15 where one was hidden and visible, and a wrong one had 0.8 or more in 6 of 32.\n"
+      "warning: experimental. The probabilities are not calibrated: on measured cases with known truth the right\n"
+      "effect came first in a minority, and a wrong one was sometimes all but certain.\n"
       "Take the ranking as a hint where to look, and quote none of it.\n" +
       fmt::format("VERDICT  {}", learning::text(d.verdict));
   if (!d.learned.empty()) out += ": a force that follows \"" + d.learned + "\", none of the catalogue";

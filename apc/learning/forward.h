@@ -7,8 +7,7 @@ namespace apc::learning {
 
 /// Which samples of a run take part. Signals after the speed has fallen below 3 m/s are left out.
 struct Rows {
-  std::vector<std::size_t> samples;  ///< per channel: number of leading samples used
-  std::size_t first_sample = 0;
+  std::vector<std::size_t> samples;             ///< per channel: number of leading samples used
   std::vector<std::size_t> nose_rut, main_rut;  ///< indices into the survey
   bool stop = false, exit = false;
   Eigen::Index size = 0;
