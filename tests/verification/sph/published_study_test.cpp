@@ -14,6 +14,17 @@ namespace {
 
 using units::in;
 
+/// The CRJ-200's nose tire, 4 in deep in an 8 in bed: the quickest deformable run.
+RollingCase small_tire() {
+  RollingCase c;
+  c.foam = ideal_foam_50psi();
+  c.tire = {"R18x4.4",          17.9 * in,           4.45 * in, 10.0 * in,
+            225.0 * units::psi, 4350.0 * units::lbf, 0.92 * in, 13050.0 * units::lbf,
+            2.02 * in};
+  c.bed_depth = 8.0 * in, c.penetration = 4.0 * in, c.speed = 60.0 * units::kt, c.spacing = 1.0 * in;
+  return c;
+}
+
 TEST(Platen, CrushWorkFollowsTheLoadCurveAndConverges) {
   const Verification coarse = verify(Study::platen_1d, 4.0 * in), fine = verify(Study::platen_1d, 2.0 * in);
   EXPECT_LT(coarse.quantities[0].value, 0.0378);  // below the published SPH value already at 4 in
@@ -52,12 +63,7 @@ TEST(SlowTire, PublishedCaseAtTwoInches) {
 }
 
 TEST(SlowTire, WindowDoesNotDecideTheLoads) {
-  RollingCase c;
-  c.foam = ideal_foam_50psi();
-  c.tire = {"R18x4.4",          17.9 * in,           4.45 * in, 10.0 * in,
-            225.0 * units::psi, 4350.0 * units::lbf, 0.92 * in, 13050.0 * units::lbf,
-            2.02 * in};
-  c.bed_depth = 8.0 * in, c.penetration = 4.0 * in, c.speed = 60.0 * units::kt, c.spacing = 1.0 * in;
+  RollingCase c = small_tire();
   c.load_tolerance = 0.005, c.spin_tolerance = 0.005;
   const RollingResult narrow = roll(c);
   c.ahead = 30.0 * in, c.behind = 30.0 * in;
@@ -69,12 +75,7 @@ TEST(SlowTire, WindowDoesNotDecideTheLoads) {
 /// On a way that falls by α a rigid wheel gains the share α/sin θ of its vertical load (simulation::Sinking, factor 1).
 /// The flexible tire gains more, since its patch is flat: 1.6 and 1.9 at 2 in, 8 and 12 in deep, 18 in bed, 70 kt.
 TEST(SinkingTire, IsPushedBackAtLeastLikeTheRigidArc) {
-  RollingCase c;
-  c.foam = ideal_foam_50psi();
-  c.tire = {"R18x4.4",          17.9 * in,           4.45 * in, 10.0 * in,
-            225.0 * units::psi, 4350.0 * units::lbf, 0.92 * in, 13050.0 * units::lbf,
-            2.02 * in};
-  c.bed_depth = 8.0 * in, c.penetration = 4.0 * in, c.speed = 60.0 * units::kt, c.spacing = 1.0 * in;
+  RollingCase c = small_tire();
   c.fall = 0.03;
   const RollingResult down = roll(c);
   c.fall = -0.03;
