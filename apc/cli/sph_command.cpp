@@ -36,6 +36,7 @@ report::RollingRecord as_record(const SphDeck& deck, const sph::RollingResult& r
   record.tire_width = deck.rig.tire.width;
   record.spacing = deck.rig.spacing;
   record.friction = deck.rig.friction;
+  record.fall = deck.rig.fall;
   record.state = sph::name_of(result.state);
   record.message = result.message;
   record.steady = result.state == sph::RunState::steady;

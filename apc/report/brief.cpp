@@ -14,15 +14,7 @@ using simulation::GearSummary;
 
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
-  for (const auto& applied : record.overrun.alterations.effects) {
-    out += fmt::format("  with           {} ({}):", applied.effect.title, applied.effect.id);
-    for (std::size_t i = 0; i < applied.values.size(); ++i) {
-      const auto& parameter = applied.effect.parameters[i];
-      out += fmt::format(" {} {:.4g}{}{}", parameter.name, applied.values[i], parameter.unit.empty() ? "" : " ",
-                         parameter.unit);
-    }
-    out += "\n";
-  }
+  for (const auto& addition : additions(record)) out += "  with           " + addition + "\n";
   if (result.outcome == simulation::Outcome::gear_limit) out += "  " + result.message + "\n";
   if (std::isfinite(result.stop_distance))
     out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
@@ -84,6 +76,23 @@ void add_energy(std::string& out, const OverrunRecord& record, UnitSystem units)
 }
 
 }  // namespace
+
+std::vector<std::string> additions(const OverrunRecord& record) {
+  std::vector<std::string> list;
+  for (const auto& applied : record.overrun.alterations.effects) {
+    std::string one = fmt::format("{} ({}):", applied.effect.title, applied.effect.id);
+    for (std::size_t i = 0; i < applied.values.size(); ++i) {
+      const auto& parameter = applied.effect.parameters[i];
+      one += fmt::format(" {} {:.4g}{}{}", parameter.name, applied.values[i], parameter.unit.empty() ? "" : " ",
+                         parameter.unit);
+    }
+    list.push_back(std::move(one));
+  }
+  if (record.overrun.sinking.counts())
+    list.push_back(fmt::format("response to the rate of sinking, {:.3g} times the rigid wheel's",
+                               record.overrun.sinking.vertical));
+  return list;
+}
 
 std::string energy_name(const std::string& key) {
   static const std::map<std::string, std::string> names{{"kinetic_left", "motion left"},

@@ -16,6 +16,9 @@ std::string brief(const OverrunRecord&, UnitSystem);
 /// One sentence: "B737-800 leaves the runway at 70.0 kt into "demo bed"".
 std::string headline(const OverrunRecord&, UnitSystem);
 
+/// What the model holds beyond the steady tables, one sentence each: learned effects, the response to sinking.
+std::vector<std::string> additions(const OverrunRecord&);
+
 /// What a key of Result::energy means to a reader: "oleo_damping" → "strut damping".
 std::string energy_name(const std::string& key);
 

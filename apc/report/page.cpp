@@ -107,6 +107,7 @@ std::string page(const OverrunRecord& record) {
                          ? escaped(result.message)
                          : both(result.mass, measure::mass) + " of " + escaped(record.model.aircraft.name));
   out += switches_bar() + headline_cards(record);
+  for (const auto& addition : additions(record)) out += "<p class=\"warning\">with " + escaped(addition) + "</p>\n";
   for (const auto& warning : result.warnings) out += "<p class=\"warning\">" + escaped(warning) + "</p>\n";
   out += "</header>\n<main>\n<h2>Bed section</h2>\n<div class=\"wide\">" + bed_section(record) + "</div>\n";
   if (const auto wheels = wheels_at_rest(record); !wheels.empty())

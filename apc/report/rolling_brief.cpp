@@ -14,6 +14,8 @@ std::string rolling_brief(const RollingRecord& record, UnitSystem units) {
                      percent(record.maximum_penetration > 0 ? record.penetration / record.maximum_penetration : 0.0));
   out += fmt::format("  particles {} apart, friction of tire on foam {}\n\n",
                      shown(record.spacing, measure::depth, units), number(record.friction, 2));
+  if (record.fall != 0.0)
+    out += "  sinking by " + number(record.fall, 3) + " of the way: loads are means around the penetration\n\n";
   const auto line = [&](const char* name, const std::string& value, const std::string& remark) {
     out += fmt::format("  {:<16}{:>14}  {}\n", name, value, remark);
   };

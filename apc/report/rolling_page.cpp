@@ -93,9 +93,12 @@ std::string rolling_page(const RollingRecord& record) {
       escaped(record.tire), escaped(record.material), both(record.speed, measure::speed),
       both(record.bed_depth, measure::depth), both(record.penetration, measure::depth),
       percent(record.maximum_penetration > 0 ? record.penetration / record.maximum_penetration : 0.0),
-      both(record.spacing, measure::depth), number(record.friction, 2), switches_bar());
+      both(record.spacing, measure::depth),
+      number(record.friction, 2) + (record.fall != 0.0 ? ", sinking by " + number(record.fall, 3) + " of the way" : ""),
+      switches_bar());
   out += card(record.steady ? "good" : "bad", "State", record.steady ? "Steady" : escaped(record.state),
-              record.steady ? "loads settled" : "not to be used as loads");
+              record.steady ? (record.fall != 0.0 ? "means around the penetration" : "loads settled")
+                            : "not to be used as loads");
   out += card("", "Drag", both(record.drag, measure::force), "whole tire");
   out += card("", "Vertical", both(record.vertical, measure::force), "whole tire");
   out += card("", "Rut", both(record.rut_depth, measure::depth),

@@ -15,6 +15,7 @@ struct RollingRecord {
   std::string name, source, tire, material;
   double speed = 0.0, bed_depth = 0.0, penetration = 0.0, maximum_penetration = 0.0;
   double tire_diameter = 0.0, tire_width = 0.0, spacing = 0.0, friction = 0.0;
+  double fall = 0.0;  ///< of the axle per length of way; loads are then means around the penetration
 
   std::string state, message;  ///< "steady", "did_not_settle", …
   bool steady = false;
