@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "aircraft/aircraft.h"
+#include "apc/base/select.h"
 
 namespace apc::aircraft {
 
@@ -20,44 +21,49 @@ inline constexpr double atmospheric_pressure = 101325.0;  ///< Pa, standard
 inline constexpr double friction_speed = 0.02;            ///< m/s, v_f
 inline constexpr double stop_softness = 1e-3;             ///< m, d
 
-template <class T>
-T gas_force(const Strut& strut, const T& stroke) {
+/// `S`: a Strut, or the struts of several runs side by side; `T`: numbers to match, with or without derivatives.
+template <class S, class T>
+T gas_force(const S& strut, const T& stroke) {
   using std::pow;
-  const double ratio = strut.piston_area / strut.extended_gas_volume;
+  const auto ratio = strut.piston_area / strut.extended_gas_volume;
   return strut.piston_area *
          (strut.extended_pressure * pow(1.0 - ratio * stroke, -strut.polytropic_exponent) - atmospheric_pressure);
 }
 
-template <class T>
-T orifice_force(const Strut& strut, const T& stroke_rate) {
+template <class S, class T>
+T orifice_force(const S& strut, const T& stroke_rate) {
   using std::abs;
-  const double constant = stroke_rate < 0.0 ? strut.damping_rebound : strut.damping_compression;
+  const auto constant = select(stroke_rate < 0.0, strut.damping_rebound, strut.damping_compression);
   return constant * stroke_rate * abs(stroke_rate);
 }
 
 /// |N_u| + |N_l| for an axle force `normal` to the strut; |·| is rounded within 10 N of zero.
-template <class T>
-T bearing_load(const Strut& strut, const T& stroke, const T& normal) {
+template <class S, class T>
+T bearing_load(const S& strut, const T& stroke, const T& normal) {
   using std::sqrt;
   const T lever = (strut.bearing_lower - stroke) / (strut.bearing_upper + stroke);
   return sqrt(normal * normal + 100.0) * (1.0 + 2.0 * lever);
 }
 
-template <class T>
-T friction_force(const Strut& strut, const T& stroke, const T& stroke_rate, const T& normal) {
+template <class S, class T>
+T friction_force(const S& strut, const T& stroke, const T& stroke_rate, const T& normal) {
   using std::tanh;
   return (strut.friction + strut.bearing_friction * bearing_load(strut, stroke, normal)) *
          tanh(stroke_rate * (1.0 / friction_speed));
 }
 
-template <class T>
-T stop_force(const Strut& strut, const T& stroke) {
-  if (stroke > strut.stroke) {
+template <class S, class T>
+T stop_force(const S& strut, const T& stroke) {
+  T force(0.0);
+  const auto beyond_end = stroke > strut.stroke;
+  if (any(beyond_end)) {
     const T beyond = stroke - strut.stroke;
-    return strut.end_stop * beyond * beyond / (beyond + stop_softness);
+    force = select(beyond_end, T(strut.end_stop * beyond * beyond / (beyond + stop_softness)), force);
   }
-  if (stroke < 0.0) return -strut.end_stop * stroke * stroke / (stop_softness - stroke);
-  return T(0.0);
+  const auto below_start = stroke < 0.0;
+  if (any(below_start))
+    force = select(below_start, T(-strut.end_stop * stroke * stroke / (stop_softness - stroke)), force);
+  return force;
 }
 
 /// J stored in the gas since full extension (atmosphere included), and in the stops.

@@ -4,6 +4,7 @@
 
 #include "loadtables/load_table_data.h"
 #include "loadtables/spline_sum.h"
+#include "loadtables/table_lanes.h"
 
 namespace apc::loadtables {
 
@@ -256,6 +257,46 @@ LoadAlong PenetrationLine::at(double penetration) {
     spline_kernels().line({first, by_i, by_j, speed_weight_, depth_weight_, nullptr, nullptr, nullptr, nullptr}, sum_);
   }
   return along(sum_ + 4 * (r.first - first_), r, per_penetration);
+}
+
+static_assert(depth_reference == DepthScale::reference);
+
+TableNumbers LoadTable::numbers() const {
+  const auto& data = *data_;
+  const double by_depth = static_cast<double>(data.ratio.coefficients()) * static_cast<double>(responses);
+  return {data.coefficients.data(),
+          this,
+          data.speed.low,
+          data.depth.low,
+          data.ratio.low,
+          1.0 / data.speed.step,
+          1.0 / data.depth.step,
+          1.0 / data.ratio.step,
+          data.speed.nodes - 1.0,
+          data.depth.nodes - 1.0,
+          data.ratio.nodes - 1.0,
+          by_depth * static_cast<double>(data.depth.coefficients()),
+          by_depth,
+          data.penetration.compaction,
+          data.penetration.deflection,
+          data.penetration.diameter,
+          data.penetration.rounding(),
+          derived_->pavement.data(),
+          1.0 / derived_->pavement_scale};
+}
+
+void load_at(const LoadTable& table, double speed, double depth, double penetration, double* out, int stride) {
+  const auto load = table.load({speed, depth, penetration});
+  out[0] = load.drag, out[stride] = load.vertical, out[2 * stride] = load.rut_depth, out[3 * stride] = load.spin_ratio;
+}
+
+void load_with_slopes_at(const LoadTable& table, double speed, double depth, double penetration, double* out,
+                         int stride) {
+  const auto all = table.load_with_slopes({speed, depth, penetration});
+  for (const double value : {all.load.drag, all.load.vertical, all.load.rut_depth, all.load.spin_ratio})
+    *out = value, out += stride;
+  for (const auto& slopes : {all.drag, all.vertical, all.rut_depth, all.spin_ratio})
+    for (const double slope : {slopes.speed, slopes.bed_depth, slopes.penetration}) *out = slope, out += stride;
 }
 
 Coverage LoadTable::coverage(const TireContact& contact) const {

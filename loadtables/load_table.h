@@ -63,6 +63,8 @@ struct Provenance {
   int runs = 0, refused = 0;             ///< refused: not settled, tire overloaded, unstable
 };
 
+struct TableNumbers;  ///< table_lanes.h
+
 class LoadTable {
  public:
   LoadTable();  ///< empty; only assignable
@@ -86,6 +88,8 @@ class LoadTable {
   const std::vector<FitQuality>& quality() const;
   /// Fitted ranges {low, high}: speed (m/s), bed depth (m), relative penetration.
   std::array<double, 2> speed_range() const, depth_range() const, ratio_range() const;
+
+  TableNumbers numbers() const;  ///< for look-ups of several runs side by side; points into this
 
   struct Data;  ///< knots and coefficients; load_table_data.h, for the builder and the HDF5 file only
   struct Derived;

@@ -9,7 +9,7 @@ namespace apc::simulation {
 APC_FOR_EVERY_PROCESSOR
 void derivatives(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
                  Moment* moment) {
-  BodyMotion body;
+  BodyMotion<double> body;
   motion(plant, time, y, dydt, moment, body,
          [&](int r, const Pair<double>& axle, const Pair<double>& velocity, double spin, RowMoment* seen) {
            return row_force<double>(plant, around, r, time, body.nose, axle, velocity, spin, seen);
@@ -19,10 +19,13 @@ void derivatives(const Plant& plant, const Surroundings& around, double time, co
 APC_FOR_EVERY_PROCESSOR
 void jacobian(const Plant& plant, const Surroundings& around, double time, const double* y, double* dydt,
               double* matrix, Moment* moment) {
+  const int n = plant.degrees(), states = plant.states();
+  for (int i = 0; i < n * states; ++i) matrix[i] = 0.0;
+  for (int i = 0; i < n; ++i) matrix[i * states + n + i] = 1.0;
   if (plant.sinking.counts())
-    jacobian_of<5>(plant, around, time, y, dydt, matrix, moment);
+    jacobian_of<5>(plant, around, time, y, dydt, matrix + n * states, moment);
   else
-    jacobian_of<4>(plant, around, time, y, dydt, matrix, moment);
+    jacobian_of<4>(plant, around, time, y, dydt, matrix + n * states, moment);
 }
 
 void directional(const Plant& plant, const Surroundings& around, double time, const double* y, const double* direction,

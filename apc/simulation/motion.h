@@ -1,13 +1,14 @@
 /// Body of equations.h. Rows and struts are laws over the number type: double for the right-hand side, a Dual of the
 /// few numbers they depend on for their derivatives, which motion_slopes.h spreads over the state by the chain rule.
+/// `V`, the number of the motion itself, is a double or several runs side by side (lanes.h); plant, surroundings and
+/// moment then hold numbers side by side under the same names (plant_lanes.h).
 #pragma once
 
 #include <cmath>
 #include <type_traits>
 
 #include "aircraft/strut.h"
-#include "apc/simulation/dual.h"
-#include "apc/simulation/equations.h"
+#include "apc/simulation/row_ground.h"
 
 namespace apc::simulation {
 
@@ -32,40 +33,6 @@ Pair<T> perpendicular(const Pair<T>& a) {
   return {-a.z, a.x};
 }
 
-/// The ground under one tire as numbers of type T.
-template <class T>
-struct GroundNumbers {
-  T drag, vertical, rut_depth, spin_ratio;
-};
-
-inline GroundNumbers<double> ground_numbers(const TireBed& ground, const effects::TirePlace& place, const Rut* ahead,
-                                            double, double, double, double, GroundLoad* load) {
-  if (!load && !ahead && !ground.alterations) {
-    const auto plain = ground.table->load(place.contact);
-    return {plain.drag, plain.vertical, plain.rut_depth, plain.spin_ratio};
-  }
-  const auto all = ground_load(ground, place, ahead);
-  if (load) *load = all;
-  return {all.load.drag, all.load.vertical, all.load.rut_depth, all.load.spin_ratio};
-}
-
-template <int N>
-GroundNumbers<Dual<N>> ground_numbers(const TireBed& ground, const effects::TirePlace& place, const Rut* ahead,
-                                      const Dual<N>& speed, const Dual<N>& depth, const Dual<N>& penetration,
-                                      const Dual<N>& distance, GroundLoad* seen) {
-  const auto load = ground_load_with_slopes(ground, place, ahead);
-  if (seen) *seen = load;
-  const auto combine = [&](double value, const std::array<double, 4>& slope) {
-    Dual<N> y;
-    y.value = value;
-    for (int i = 0; i < N; ++i)
-      y.d[i] = slope[0] * speed.d[i] + slope[1] * depth.d[i] + slope[2] * penetration.d[i] + slope[3] * distance.d[i];
-    return y;
-  };
-  return {combine(load.load.drag, load.drag), combine(load.load.vertical, load.vertical),
-          combine(load.load.rut_depth, load.rut_depth), combine(load.load.spin_ratio, load.spin_ratio)};
-}
-
 /// What sinking adds to the load of the steady table (`Sinking`). Slow tires are pressed, not rolled: it fades below 1
 /// m/s.
 template <class T>
@@ -88,36 +55,31 @@ struct RowForce {
   T brake_torque, spin_rate;
 };
 
-template <class T>
-RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index, double time, double nose,
-                      const Pair<T>& axle, const Pair<T>& velocity, const T& spin, RowMoment* seen) {
+template <class T, class P, class A, class V, class Seen>
+RowForce<T> row_force(const P& plant, const A& around, int index, const V& time, const V& nose, const Pair<T>& axle,
+                      const Pair<T>& velocity, const T& spin, Seen* seen) {
   using std::sqrt;
   const auto& row = plant.rows[static_cast<std::size_t>(index)];
   const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
-  const bool inside = around.in_bed[static_cast<std::size_t>(index)];
-  const double radius = group.tire_radius, x = value_of(axle.x);
+  const auto inside = around.in_bed[static_cast<std::size_t>(index)];
+  const V radius = group.tire_radius, x = value_of(axle.x);
 
-  // The ground under the wheel: depth, and on a falling base the inclination under the contact patch.
-  const auto under = inside ? plant.profile.under(x, 0.5 * radius) : Profile::Ground{};
+  const auto under = ground_under(plant, around, index, x, 0.5 * radius);
   const auto& profile = under.depth;
   const T depth = chain(profile.value, profile.slope, axle.x);
   T penetration = radius - axle.z;
   if (!plant.base_falls) penetration += depth;
-  const double direction = value_of(velocity.x) < 0.0 ? -1.0 : 1.0;
+  const V direction = select(value_of(velocity.x) < 0.0, V(-1.0), V(1.0));
   const T speed = direction * velocity.x;
-
-  effects::TirePlace place{{value_of(speed), profile.value, value_of(penetration)}, x, nose, time};
-  Rut ahead;
-  const bool follows = inside && row.ahead >= 0;
-  if (follows) ahead = around.ruts[static_cast<std::size_t>(row.ahead)].at(x);
-  auto ground = ground_numbers(group.ground, place, follows ? &ahead : nullptr, speed, depth, penetration, axle.x,
+  auto ground = ground_numbers(plant, around, index, time, nose, speed, depth, penetration, axle.x,
                                seen ? &seen->ground : nullptr);
-  if (plant.sinking.counts() && inside && !follows && value_of(ground.vertical) > 0.0)
-    sink(plant.sinking, plant.base_falls ? chain(under.inclination.value, under.inclination.slope, axle.x) : T(0.0),
-         radius, penetration, speed, velocity.z, ground);
+  if constexpr (std::is_same_v<V, double>)
+    if (plant.sinking.counts() && inside && row.ahead < 0 && value_of(ground.vertical) > 0.0)
+      sink(plant.sinking, plant.base_falls ? chain(under.inclination.value, under.inclination.slope, axle.x) : T(0.0),
+           radius, penetration, speed, velocity.z, ground);
 
   const T along = quick_tanh(velocity.x * (1.0 / creep_speed));
-  const double friction = inside ? group.braking_in_bed : group.braking;
+  const V friction = select(inside, V(group.braking_in_bed), V(group.braking));
   const T roll_radius = radius / ground.spin_ratio;
   const bool slips = plant.wheel_spin == WheelSpin::inertial || plant.brake_mode == BrakeMode::torque;
   T slip_force = T(0.0);
@@ -126,10 +88,11 @@ RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index,
     slip_force = slip_friction * ground.vertical * quick_tanh(slip * (slip_stiffness / slip_friction));
   }
   T brake_force = T(0.0), brake_torque = T(0.0), wheel_torque = T(0.0);
-  if (friction > 0.0 && plant.brake_mode == BrakeMode::friction) {
+  const bool braked = any(friction > 0.0);
+  if (braked && plant.brake_mode == BrakeMode::friction) {
     brake_force = friction * ground.vertical * along;
     brake_torque = brake_force * (radius - (penetration - ground.rut_depth));  // arm down to the contact
-  } else if (friction > 0.0) {
+  } else if (braked) {
     wheel_torque = friction * ground.vertical * roll_radius * quick_tanh(spin * 2.0);
     brake_torque = wheel_torque;
   }
@@ -138,16 +101,14 @@ RowForce<T> row_force(const Plant& plant, const Surroundings& around, int index,
   RowForce<T> result;
   result.force = {-tangential, ground.vertical};
   Pair<T> contact{-drag, ground.vertical}, tangent{T(1.0), T(0.0)};
-  if (inside && plant.base_falls) {
+  const auto& incline = under.inclination;
+  if (plant.base_falls && any((incline.value != 0.0) | (incline.slope != 0.0))) {
     // Steady loads belong to a level base: turn them with it (base slope = −inclination of the depth).
-    const auto& incline = under.inclination;
-    if (incline.value != 0.0 || incline.slope != 0.0) {
-      const T slope = chain(-incline.value, -incline.slope, axle.x);
-      const T cosine = 1.0 / sqrt(1.0 + slope * slope), sine = slope * cosine;
-      result.force = {-tangential * cosine - ground.vertical * sine, ground.vertical * cosine - tangential * sine};
-      tangent = {cosine, sine};
-      contact = {-drag * cosine - ground.vertical * sine, ground.vertical * cosine - drag * sine};
-    }
+    const T slope = chain(-incline.value, -incline.slope, axle.x);
+    const T cosine = 1.0 / sqrt(1.0 + slope * slope), sine = slope * cosine;
+    result.force = {-tangential * cosine - ground.vertical * sine, ground.vertical * cosine - tangential * sine};
+    tangent = {cosine, sine};
+    contact = {-drag * cosine - ground.vertical * sine, ground.vertical * cosine - drag * sine};
   }
   result.force = {row.tires * result.force.x, row.tires * result.force.z};
   result.brake_torque = row.tires * brake_torque;
@@ -181,14 +142,15 @@ template <class T>
 struct StrutForce {
   T gas, orifice, friction, stop;
 };
-template <class T>
-StrutForce<T> strut_force(const aircraft::Strut& strut, const T& stroke, const T& rate, const T& normal) {
+template <class T, class S>
+StrutForce<T> strut_force(const S& strut, const T& stroke, const T& rate, const T& normal) {
   return {aircraft::gas_force(strut, stroke), aircraft::orifice_force(strut, rate),
           aircraft::friction_force(strut, stroke, rate, normal), aircraft::stop_force(strut, stroke)};
 }
-/// By way of numbers that carry no derivatives, so that both paths call the same elementary functions.
-inline StrutForce<double> strut_force(const aircraft::Strut& strut, double stroke, double rate, double normal) {
-  const auto force = strut_force<Dual<0>>(strut, stroke, rate, normal);
+/// By way of numbers that carry no derivatives, so that all paths call the same elementary functions.
+template <class V, class S>
+StrutForce<V> plain_strut_force(const S& strut, const V& stroke, const V& rate, const V& normal) {
+  const auto force = strut_force<Dual<0, V>>(strut, stroke, rate, normal);
   return {force.gas.value, force.orifice.value, force.friction.value, force.stop.value};
 }
 
@@ -201,8 +163,8 @@ struct BodyForce {
   T aero_moment;
   Pair<T> cg;
 };
-template <class T>
-BodyForce<T> body_force(const Plant& plant, double time, double thrust, const T& height, const T& cosine, const T& sine,
+template <class T, class P, class V>
+BodyForce<T> body_force(const P& plant, const V& time, const V& thrust, const T& height, const T& cosine, const T& sine,
                         const T& speed, const T& q) {
   BodyForce<T> result;
   result.cg = {plant.cg.x * cosine - plant.cg.z * sine, plant.cg.x * sine + plant.cg.z * cosine};
@@ -214,17 +176,18 @@ BodyForce<T> body_force(const Plant& plant, double time, double thrust, const T&
   result.x = result.aero.x;
   result.z = result.aero.z;
   result.moment = result.aero_moment;
-  if (thrust != 0.0) {
+  if (any(thrust != 0.0)) {
     result.x += thrust * cosine;
     result.z += thrust * sine;
     result.moment += T(-thrust * plant.thrust_at.z);
   }
-  if (plant.alterations && plant.alterations->guide && time > 0.0) {
-    const auto& guide = *plant.alterations->guide;
-    const T lead = (guide.gain * plant.mass) * (guide.speed_at(time) - cg_speed);
-    result.x += lead;
-    result.moment += lead * height;
-  }
+  if constexpr (std::is_same_v<P, Plant>)
+    if (plant.alterations && plant.alterations->guide && time > 0.0) {
+      const auto& guide = *plant.alterations->guide;
+      const T lead = (guide.gain * plant.mass) * (guide.speed_at(time) - cg_speed);
+      result.x += lead;
+      result.moment += lead * height;
+    }
   return result;
 }
 inline double thrust_at(const Plant& plant, double time) {
@@ -232,55 +195,58 @@ inline double thrust_at(const Plant& plant, double time) {
 }
 
 /// One gear group as a right-hand side leaves it, for the derivatives.
+template <class V>
 struct GroupMotion {
-  Pair<double> axis, across, arm, arm_turned;  ///< e, n = e^⊥, ρ, ρ^⊥
-  Pair<double> force;                          ///< of the tires, on the axle
-  double strut;                                ///< S, all struts
-  double beam_cosine, beam_sine;
+  Pair<V> axis, across, arm, arm_turned;  ///< e, n = e^⊥, ρ, ρ^⊥
+  Pair<V> force;                          ///< of the tires, on the axle
+  V strut;                                ///< S, all struts
+  V beam_cosine, beam_sine;
 };
+template <class V>
 struct BodyMotion {
-  std::array<GroupMotion, most_groups> groups;
-  double cosine, sine, nose;
-  double l1, l2, l3, a22, a23, a33, mxx, mxz, mxt;  ///< the eliminated 3 × 3 system
-  double ax, az, turn;
+  std::array<GroupMotion<V>, most_groups> groups;
+  V cosine, sine, nose;
+  V l1, l2, l3, a22, a23, a33, mxx, mxz, mxt;  ///< the eliminated 3 × 3 system
+  V ax, az, turn;
 };
 
 /// Solution of the eliminated 3 × 3 system (a_x, a_z, θ″).
-inline std::array<double, 3> solve(const BodyMotion& m, double fx, double fz, double moment) {
-  const double b2 = fz - m.l1 * fx, b3 = moment - m.l2 * fx - m.l3 * b2;
-  const double turn = b3 / m.a33, az = (b2 - m.a23 * turn) / m.a22;
+template <class V>
+std::array<V, 3> solve(const BodyMotion<V>& m, const V& fx, const V& fz, const V& moment) {
+  const V b2 = fz - m.l1 * fx, b3 = moment - m.l2 * fx - m.l3 * b2;
+  const V turn = b3 / m.a33, az = (b2 - m.a23 * turn) / m.a22;
   return {(fx - m.mxz * az - m.mxt * turn) / m.mxx, az, turn};
 }
 
 /// dy/dt. `row_of(index, axle, velocity, spin, seen)` gives the force of a row.
-template <class Rows>
-inline void motion(const Plant& plant, double time, const double* y, double* dydt, Moment* seen, BodyMotion& body,
+template <class V, class Aircraft, class Seen, class Rows>
+inline void motion(const Aircraft& plant, const V& time, const V* y, V* dydt, Seen* seen, BodyMotion<V>& body,
                    const Rows& row_of) {
-  using P = Pair<double>;
+  using P = Pair<V>;
   const int n = plant.degrees();
-  const double* rate = y + n;
-  const double* spin = y + 2 * n;
-  double* acceleration = dydt + n;
-  double* spin_rate = dydt + 2 * n;
+  const V* rate = y + n;
+  const V* spin = y + 2 * n;
+  V* acceleration = dydt + n;
+  V* spin_rate = dydt + 2 * n;
   for (int i = 0; i < n; ++i) dydt[i] = rate[i];
 
-  const auto pitch = elementary::sine_cosine(y[2]);
-  const double cosine = body.cosine = pitch.cosine, sine = body.sine = pitch.sine, q = rate[2];
-  const auto turned = [&](const Vector& b) { return P{b.x * cosine - b.z * sine, b.x * sine + b.z * cosine}; };
+  const auto pitch = sine_cosine(y[2]);
+  const V cosine = body.cosine = pitch.cosine, sine = body.sine = pitch.sine, q = rate[2];
+  const auto turned = [&](const auto& b) { return P{b.x * cosine - b.z * sine, b.x * sine + b.z * cosine}; };
   const P origin{y[0], y[1]}, velocity{rate[0], rate[1]};
   const int bogie_start = 3 + static_cast<int>(plant.groups.size());
 
   // Symmetric 3 × 3 system for (a_x, a_z, θ″).
-  double mxx = plant.sprung_mass, mxz = 0.0, mxt = 0.0, mzz = mxx, mzt = 0.0, mtt = plant.sprung_inertia;
-  const double thrust = thrust_at(plant, time);
-  const auto own = body_force<double>(plant, time, thrust, y[1], cosine, sine, rate[0], q);
-  double fx = plant.sprung_mass * plant.gravity.x + own.x, fz = plant.sprung_mass * plant.gravity.z + own.z,
-         moment = own.moment;
+  V mxx = plant.sprung_mass, mxz = 0.0, mxt = 0.0, mzz = mxx, mzt = 0.0, mtt = plant.sprung_inertia;
+  const V thrust = thrust_at(plant, time);
+  const auto own = body_force<V>(plant, time, thrust, y[1], cosine, sine, rate[0], q);
+  V fx = plant.sprung_mass * plant.gravity.x + own.x, fz = plant.sprung_mass * plant.gravity.z + own.z,
+    moment = own.moment;
 
-  double push[most_groups];
+  V push[most_groups];
   for (std::size_t g = 0; g < plant.groups.size(); ++g) {
     const auto& group = plant.groups[g];
-    const double stroke = y[3 + g], stroke_rate = rate[3 + g];
+    const V stroke = y[3 + g], stroke_rate = rate[3 + g];
     auto& at = body.groups[g];
     const P e = at.axis = turned(group.axis), across = at.across = perpendicular(e);
     const P rho = at.arm = turned(group.extended) + stroke * e, rho_turned = at.arm_turned = perpendicular(rho);
@@ -288,7 +254,7 @@ inline void motion(const Plant& plant, double time, const double* y, double* dyd
     if (g == 0) body.nose = axle.x;
 
     P force{0.0, 0.0};
-    double torque = 0.0;
+    V torque = 0.0;
     if (group.bogie < 0) {
       const int r = group.first_row;
       const auto row =
@@ -298,13 +264,13 @@ inline void motion(const Plant& plant, double time, const double* y, double* dyd
       spin_rate[r] = row.spin_rate;
     } else {
       const int beam = bogie_start + group.bogie;
-      const auto turn = elementary::sine_cosine(y[beam]);
+      const auto turn = sine_cosine(y[beam]);
       at.beam_cosine = turn.cosine;
       at.beam_sine = turn.sine;
-      const double damping = group.bogie_damping * (rate[beam] - q);
-      double beam_moment = -damping;
+      const V damping = group.bogie_damping * (rate[beam] - q);
+      V beam_moment = -damping;
       for (int r = group.first_row; r < group.first_row + group.rows; ++r) {
-        const double offset = plant.rows[static_cast<std::size_t>(r)].offset;
+        const V offset = plant.rows[static_cast<std::size_t>(r)].offset;
         const P out{offset * turn.cosine, offset * turn.sine};
         const auto row = row_of(r, axle + out, axle_velocity + rate[beam] * perpendicular(out), spin[r],
                                 seen ? &seen->rows[static_cast<std::size_t>(r)] : nullptr);
@@ -319,15 +285,15 @@ inline void motion(const Plant& plant, double time, const double* y, double* dyd
     at.force = force;
 
     // Strut force per strut, all struts of the group together.
-    const auto part = strut_force(group.strut, stroke, stroke_rate, dot(force, across) / group.struts);
-    const double strut = at.strut = group.struts * (part.gas + part.orifice + part.friction + part.stop);
+    const auto part = plain_strut_force<V>(group.strut, stroke, stroke_rate, dot(force, across) / group.struts);
+    const V strut = at.strut = group.struts * (part.gas + part.orifice + part.friction + part.stop);
 
     // P = F + m g − m (2 θ′ s′ e^⊥ − θ′² ρ)
-    const double coriolis = (2.0 * group.mass) * q * stroke_rate, centripetal = group.mass * q * q;
+    const V coriolis = (2.0 * group.mass) * q * stroke_rate, centripetal = group.mass * q * q;
     const P p{force.x + group.mass * plant.gravity.x - coriolis * across.x + centripetal * rho.x,
               force.z + group.mass * plant.gravity.z - coriolis * across.z + centripetal * rho.z};
-    const double across_force = dot(across, p), lever = dot(rho_turned, across);
-    const double bx = group.mass * across.x, bz = group.mass * across.z;
+    const V across_force = dot(across, p), lever = dot(rho_turned, across);
+    const V bx = group.mass * across.x, bz = group.mass * across.z;
     mxx += bx * across.x;
     mxz += bx * across.z;
     mzz += bz * across.z;

@@ -7,8 +7,16 @@
 
 namespace apc::simulation {
 
-struct ValueAndSlope {
-  double value = 0.0, slope = 0.0;
+template <class V>
+struct ValueAndSlopeOf {
+  V value = 0.0, slope = 0.0;
+};
+using ValueAndSlope = ValueAndSlopeOf<double>;
+
+/// Depth and inclination at one place; `V` as in motion.h.
+template <class V>
+struct GroundUnder {
+  ValueAndSlopeOf<V> depth, inclination;
 };
 
 /// Piecewise linear depth over bed distance, continued level beyond both ends: whether a wheel is in the bed at all is
@@ -22,9 +30,7 @@ class Profile {
   /// Mean of d depth / d distance over ±`half_patch`: the inclination of the base a tire feels, continuous in distance.
   ValueAndSlope inclination(double distance, double half_patch) const;
   /// Both at once.
-  struct Ground {
-    ValueAndSlope depth, inclination;
-  };
+  using Ground = GroundUnder<double>;
   Ground under(double distance, double half_patch) const {
     const std::size_t last = slope_.size() - 1;
     if (distance - half_patch >= distance_[last] && distance + half_patch <= distance_[last + 1]) [[likely]]
@@ -32,11 +38,18 @@ class Profile {
     return {depth(distance), inclination(distance, half_patch)};
   }
   double length() const { return distance_.back(); }
+  /// Between `from` and `to` the depth is `depth` + `slope` · (distance − from).
+  struct Piece {
+    double from, to, depth, slope;
+  };
+  Piece first_piece() const { return piece_at(0); }
+  Piece last_piece() const { return piece_at(slope_.size() - 1); }
   /// The bed begins with a step: depth jumps from 0 at the leading edge.
   bool steps_in() const { return depth_.front() > 1e-6; }
 
  private:
   std::size_t piece(double distance) const;
+  Piece piece_at(std::size_t i) const { return {distance_[i], distance_[i + 1], depth_[i], slope_[i]}; }
   std::vector<double> distance_, depth_, slope_;
 };
 

@@ -14,6 +14,28 @@
 
 namespace apc::simulation {
 
+/// What one unit of relative tolerance means for every state: constant + slope × |y|.
+struct ErrorWeights {
+  StateVector constant{}, by_size{};
+};
+ErrorWeights error_weights(int groups, int bogies, int rows);
+
+/// Step sizes: Gustafsson's predictive controller.
+class StepControl {
+ public:
+  StepControl(double rtol, double longest_way) : rtol_(rtol), longest_way_(longest_way) {}
+  void start();
+  /// The next step to try at this forward speed.
+  double step(double speed);
+  /// Judges an attempt by its error in units of the weights (anything but a number: nothing came out of it). False:
+  /// refused, step() is smaller. SolveError when it collapses.
+  bool accepts(double size, double time, const double* y, int degrees);
+
+ private:
+  double rtol_, longest_way_, h_ = 1e-3, last_h_ = 0.0, last_error_ = 1.0;
+  bool rejected_ = false;
+};
+
 class Rosenbrock {
  public:
   /// Plant and surroundings must outlive this; the surroundings are read afresh at every call. No step goes further
@@ -29,14 +51,16 @@ class Rosenbrock {
   void state(double t, double* y) const;
   /// The instant at time(), known from the next step's Jacobian.
   const Moment& moment();
+  /// State and moment at `t` where they are at hand, else null.
+  const Moment* known(double t, double* y);
   SolverStatistics statistics() const { return statistics_; }
 
  private:
-  bool attempt(double h, double& error);
+  double attempt(double h);
 
   const Plant& plant_;
   const Surroundings& around_;
-  double rtol_, longest_way_, h_ = 1e-3, last_h_ = 0.0, last_error_ = 1.0;
+  StepControl control_;
   double time_ = 0.0, previous_ = 0.0;
   bool linearised_ = false;  ///< Jacobian, rate and moment belong to the present state
   StepWork work_;

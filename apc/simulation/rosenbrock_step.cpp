@@ -8,28 +8,12 @@
 namespace apc::simulation {
 namespace {
 
-constexpr double gamma = 0.25;
-constexpr double a[4][4] = {{1.544},
-                            {0.9466785280815826, 0.2557011698983284},
-                            {3.314825187068521, 2.896124015972201, 0.9986419139977817},
-                            {1.221224509226641, 6.019134481288629, 12.53708332932087, -0.6878860361058950}};
-constexpr double c[5][5] = {
-    {-5.6688},
-    {-2.430093356833875, -0.2063599157091915},
-    {-0.1073529058151375, -9.594562251023355, -20.47028614809616},
-    {7.496443313967647, -10.24680431464352, -33.99990352819905, 11.70890893206160},
-    {8.083246795921522, -7.981132988064893, -31.52159432874371, 16.31930543123136, -6.058818238834054}};
-constexpr double h2[5] = {10.12623508344586, -7.487995877610167, -34.80091861555747, -7.992771707568823,
-                          1.025137723295662};
-constexpr double h3[5] = {-0.6762803392801253, 6.087714651680015, 16.43084320892478, 24.76722511418386,
-                          -6.594389125716872};
-
 /// W: width of a column; degrees and spins fit into it. Stages are kept as three such columns: positions, rates, spins.
 /// N, S: degrees and spins of the usual gears, known to the compiler; 0 = any.
 template <int W, int N, int S>
 inline bool eliminate_of(StepWork& work, double h) {
   const int n = N > 0 ? N : work.degrees, s = N > 0 ? S : work.spins, states = 2 * n + s;
-  const double e = work.e = 1.0 / (h * gamma), per_e = work.per_e = 1.0 / e;
+  const double e = work.e = 1.0 / (h * stage_gamma), per_e = work.per_e = 1.0 / e;
   const double* accelerations = &work.jacobian[static_cast<std::size_t>(n * states)];
   const double* spin_rates = &work.jacobian[static_cast<std::size_t>(2 * n * states)];
   // [M | I], column by column.
@@ -111,7 +95,7 @@ template <int W, int N, int S>
 inline void solve_of(StepWork& work, int stage, double h, double time_share) {
   const int n = N > 0 ? N : work.degrees, s = N > 0 ? S : work.spins;
   alignas(64) double r[3 * W] = {};
-  if (stage > 0) add_stages(work, stage, c[stage - 1], 1.0 / h, r);
+  if (stage > 0) add_stages(work, stage, stage_c[stage - 1], 1.0 / h, r);
   const double* f = stage == 0 ? work.f0.data() : work.f.data();
   double g[3 * W] = {};
   for (int i = 0; i < n; ++i) g[i] = f[i], g[W + i] = f[n + i];
@@ -158,7 +142,7 @@ inline void place_of(StepWork& work, int stage) {
   const int n = N > 0 ? N : work.degrees, s = N > 0 ? S : work.spins;
   double* at = stage == 4 ? work.next.data() : work.at.data();
   double sum[3 * W] = {};
-  add_stages(work, stage, a[stage - 1], 1.0, sum);
+  add_stages(work, stage, stage_a[stage - 1], 1.0, sum);
   for (int i = 0; i < n; ++i) at[i] = work.y.data()[i] + sum[i], at[n + i] = work.y.data()[n + i] + sum[W + i];
   for (int i = 0; i < s; ++i) at[2 * n + i] = work.y.data()[2 * n + i] + sum[2 * W + i];
 }
@@ -167,8 +151,8 @@ template <int W, int N, int S>
 inline void dense_of(const StepWork& work, double* second, double* third) {
   const int n = N > 0 ? N : work.degrees, s = N > 0 ? S : work.spins;
   double sum2[3 * W] = {}, sum3[3 * W] = {};
-  add_stages(work, 5, h2, 1.0, sum2);
-  add_stages(work, 5, h3, 1.0, sum3);
+  add_stages(work, 5, dense_second, 1.0, sum2);
+  add_stages(work, 5, dense_third, 1.0, sum3);
   for (int i = 0; i < n; ++i) {
     second[i] = sum2[i], second[n + i] = sum2[W + i];
     third[i] = sum3[i], third[n + i] = sum3[W + i];

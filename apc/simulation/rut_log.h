@@ -2,6 +2,7 @@
 /// written after accepted steps only, read as const by the equations, so a solver may retry a step freely.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace apc::simulation {
@@ -23,6 +24,10 @@ class RutLog {
   void write(double distance, const Rut&);
   /// Nothing (depth 0) before the first entry; the last entry beyond the last.
   Rut at(double distance) const;
+  /// The same without its slopes.
+  Rut values_at(double distance) const;
+  /// The same as at(); searches from entry `near`, where it was found last, and leaves there where it was found now.
+  Rut at(double distance, std::size_t& near) const;
   double last_distance() const;
   bool empty() const { return entries_.empty(); }
   void clear();
@@ -30,9 +35,11 @@ class RutLog {
  private:
   /// An entry with the slopes there; those of the last one are of the secant before it until the next is written.
   struct Entry {
-    double distance;
     double value[4], slope[4];  ///< depth, penetration, drag, vertical
   };
+  template <bool with_slopes>
+  Rut read(double distance, std::size_t& near) const;
+  std::vector<double> distances_;  ///< apart from the entries, so that a search passes over few bytes
   std::vector<Entry> entries_;
 };
 

@@ -8,9 +8,8 @@
 
 #include "apc/base/require.h"
 #include "apc/base/units.h"
-#include "apc/simulation/overrun_run.h"
+#include "apc/simulation/prepared.h"
 #include "apc/simulation/roll_in.h"
-#include "apc/simulation/trim.h"
 
 namespace apc::simulation {
 
@@ -27,10 +26,6 @@ const char* text(Outcome outcome) {
 }
 
 namespace {
-
-/// The fast method reaches 1 mm with twenty times the reference's tolerance per step; half of that where bogies bounce
-/// in ruts, because their errors grow.
-double fast_tolerance(const Plant& plant) { return plant.bogies > 0 ? 10.0 : 20.0; }
 
 /// From the last computed state (`creep_speed`, drag faded by tanh) to rest at the unfaded deceleration. The factors
 /// undo what fading did before: ∫₁^∞ x (coth x − 1) dx = 0.215520, ∫₁^∞ (coth x − 1) dx = 0.145413.
@@ -95,28 +90,59 @@ void close_history(const Plant& plant, const Ending& end, Observer& observer) {
 }
 
 Result run(const Model& model, const Overrun& overrun, const Options& options) {
-  const auto plant = make_plant(model, overrun);
-  const auto start = trim(plant, overrun.entry_speed);
-  const bool fast = options.method == Method::fast;
-  // Observation grid: at most 2 ms; where only extremes are wanted quickly, the solver's steps and their middles.
-  const bool history = options.sampling > 0.0;
-  constexpr double finest = 0.002;
-  const int per_row = history ? std::max(1, static_cast<int>(std::ceil(options.sampling / finest - 1e-9))) : 0;
-  Observer observer(model, plant, history ? options.sampling / per_row : fast ? 0.0 : finest, per_row);
-  if (history) record_roll_in(plant, start, options.sampling, observer);
+  Prepared prepared(model, overrun, options);
+  const auto& plant = prepared.plant;
   const auto end =
-      fast ? run_fast(plant, start.state, fast_tolerance(plant) * options.rtol, options.time_limit, observer)
-           : run_reference(plant, start.state, options.rtol, options.time_limit, observer);
+      options.method == Method::fast
+          ? run_fast(plant, prepared.start.state, fast_tolerance(plant) * options.rtol, options.time_limit,
+                     prepared.observer)
+          : run_reference(plant, prepared.start.state, options.rtol, options.time_limit, prepared.observer);
+  return finish(model, overrun, options, prepared, end);
+}
 
+void check(const Options& options) {
+  require(options.rtol > 0.0 && options.rtol < 0.1, "the relative tolerance must lie between 0 and 0.1, not ",
+          options.rtol);
+  require(options.sampling >= 0.0, "the sampling interval must not be negative, but is ", options.sampling, " s");
+}
+
+/// Observation grid: at most 2 ms; where only extremes are wanted quickly, the solver's steps and their middles.
+int instants_per_row(const Options& options) {
+  constexpr double finest = 0.002;
+  return options.sampling > 0.0 ? std::max(1, static_cast<int>(std::ceil(options.sampling / finest - 1e-9))) : 0;
+}
+double observation_interval(const Options& options) {
+  constexpr double finest = 0.002;
+  if (options.sampling > 0.0) return options.sampling / instants_per_row(options);
+  return options.method == Method::fast ? 0.0 : finest;
+}
+
+}  // namespace
+
+/// The fast method reaches 1 mm with twenty times the reference's tolerance per step; half of that where bogies bounce
+/// in ruts, because their errors grow.
+double fast_tolerance(const Plant& plant) { return plant.bogies > 0 ? 10.0 : 20.0; }
+
+Prepared::Prepared(const Model& model, const Overrun& overrun, const Options& options)
+    : plant(make_plant(model, overrun)),
+      start(trim(plant, overrun.entry_speed)),
+      observer(model, plant, observation_interval(options), instants_per_row(options)) {
+  if (options.sampling > 0.0) record_roll_in(plant, start, options.sampling, observer);
+}
+
+Result finish(const Model& model, const Overrun& overrun, const Options& options, Prepared& prepared,
+              const Ending& end) {
+  const auto& plant = prepared.plant;
+  const bool history = options.sampling > 0.0;
   Result result;
   result.entry_speed = overrun.entry_speed;
   result.mass = plant.mass;
   result.cg_behind_nose_gear =
       overrun.cg_behind_nose_gear > 0.0 ? overrun.cg_behind_nose_gear : model.aircraft.cg_behind_nose_gear;
   fill_ending(plant, end, result);
-  fill_energy(plant, start.state, end, result);
-  if (history) close_history(plant, end, observer);
-  observer.finish(result);
+  fill_energy(plant, prepared.start.state, end, result);
+  if (history) close_history(plant, end, prepared.observer);
+  prepared.observer.finish(result);
   result.solver = end.statistics;
   result.solver.rtol = options.rtol;
   if (history && !end.left_bed) {
@@ -127,20 +153,17 @@ Result run(const Model& model, const Overrun& overrun, const Options& options) {
   return result;
 }
 
-}  // namespace
+bool alters_site(const Overrun& overrun) {
+  for (const auto& each : overrun.alterations.effects)
+    if (each.effect.site) return true;
+  return false;
+}
 
 Result simulate(const Model& model, const Overrun& overrun, const Options& options) {
-  require(options.rtol > 0.0 && options.rtol < 0.1, "the relative tolerance must lie between 0 and 0.1, not ",
-          options.rtol);
-  require(options.sampling >= 0.0, "the sampling interval must not be negative, but is ", options.sampling, " s");
+  check(options);
   const auto began = std::chrono::steady_clock::now();
-  const bool altered = [&] {
-    for (const auto& each : overrun.alterations.effects)
-      if (each.effect.site) return true;
-    return false;
-  }();
   Result result;
-  if (altered) {
+  if (alters_site(overrun)) {
     Model changed = model;
     effects::Site site{
         changed.aircraft, changed.bed, overrun.mass > 0.0 ? overrun.mass : model.aircraft.mass,

@@ -192,9 +192,6 @@ GroundLoad untouched(const TireBed& ground, const effects::TirePlace& place, Slo
   return result;
 }
 
-/// Ruts shallower than the first count as untouched ground; from the second on they are followed; C¹ in between.
-constexpr double shallowest_rut = 1e-3, plain_rut = 20e-3;  // m
-
 bool follows(const effects::TirePlace& place, const Rut* ahead) {
   return ahead && place.contact.bed_depth > 0.0 && ahead->depth > shallowest_rut;
 }

@@ -37,6 +37,9 @@ struct GroundLoad {
   std::array<double, 4> drag{}, vertical{}, rut_depth{}, spin_ratio{};
 };
 
+/// Ruts shallower than the first count as untouched ground; from the second on they are followed; C¹ in between.
+inline constexpr double shallowest_rut = 1e-3, plain_rut = 20e-3;  // m
+
 /// Values only; `ahead` is the rut found at this place, or null for a leading row.
 GroundLoad ground_load(const TireBed&, const effects::TirePlace&, const Rut* ahead);
 /// Values and derivatives: from the table's own slopes where it is used plainly, by differences where it is altered.
