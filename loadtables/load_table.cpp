@@ -15,6 +15,7 @@ struct LoadTable::Derived {
   const SplineKernels& kernels;
   double pavement_scale;         ///< P_max(0)
   std::vector<double> pavement;  ///< (ratio + 2) × responses
+  std::vector<double> level;     ///< at no depth: (speed + 2) × (ratio + 2) × responses
 };
 
 namespace {
@@ -139,6 +140,33 @@ LoadAlong along(const double* c, const Weights& r, double per_penetration) {
 
 }  // namespace
 
+namespace {
+
+/// In the order of the look-ups' own sums, so that one over the result has the same bits.
+std::vector<double> sum_over_depth(const LoadTable::Data& data, double bed_depth) {
+  const double steps = (DepthScale::at(bed_depth) - data.depth.low) * (1.0 / data.depth.step);
+  if (!(bed_depth >= 0.0 && steps >= 0.0 && steps <= data.depth.nodes - 1.0)) return {};
+  double u[4];
+  const auto first = static_cast<std::size_t>(weights_inside(steps, data.depth.nodes - 2, u));
+  const auto length = static_cast<std::size_t>(data.ratio.coefficients()) * responses;
+  const auto speeds = static_cast<std::size_t>(data.speed.coefficients());
+  std::vector<double> sum(speeds * length);
+  for (std::size_t i = 0; i < speeds; ++i) {
+    const double* c =
+        data.coefficients.data() + (i * static_cast<std::size_t>(data.depth.coefficients()) + first) * length;
+    double* line = sum.data() + i * length;
+    for (std::size_t k = 0; k < length; ++k)
+      line[k] = u[0] * c[k] + u[1] * c[length + k] + u[2] * c[2 * length + k] + u[3] * c[3 * length + k];
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> level_coefficients(const LoadTable& table, double bed_depth) {
+  return sum_over_depth(table.data(), bed_depth);
+}
+
 double DepthScale::at(double bed_depth) { return std::sqrt(1.0 + bed_depth * (1.0 / reference)); }
 double DepthScale::slope(double bed_depth) { return 0.5 / (reference * at(bed_depth)); }
 double DepthScale::depth(double u) { return reference * (u * u - 1.0); }
@@ -164,7 +192,7 @@ LoadTable::LoadTable(std::shared_ptr<const Data> data) : data_(std::move(data)) 
       Derived{1.0 / data_->speed.step, 1.0 / data_->depth.step, 1.0 / data_->ratio.step, data_->speed.nodes - 1.0,
               data_->depth.nodes - 1.0, data_->ratio.nodes - 1.0,
               length * static_cast<std::size_t>(data_->depth.coefficients()), length, spline_kernels(),
-              data_->penetration.at(0.0), std::move(line)});
+              data_->penetration.at(0.0), std::move(line), sum_over_depth(*data_, 0.0)});
 }
 
 TireLoad LoadTable::load(const TireContact& contact) const {
@@ -282,6 +310,7 @@ TableNumbers LoadTable::numbers() const {
           data.penetration.diameter,
           data.penetration.rounding(),
           derived_->pavement.data(),
+          derived_->level.empty() ? nullptr : derived_->level.data(),
           1.0 / derived_->pavement_scale};
 }
 
@@ -300,6 +329,10 @@ void load_with_slopes_at(const LoadTable& table, double speed, double depth, dou
 }
 
 Coverage LoadTable::coverage(const TireContact& contact) const {
+  return coverage(contact, maximum_penetration(contact.bed_depth));
+}
+
+Coverage LoadTable::coverage(const TireContact& contact, double maximum) const {
   if (!(contact.penetration > 0.0)) return {};
   const double depth = contact.bed_depth > 0.0 ? contact.bed_depth : 0.0, speed = std::abs(contact.speed);
   constexpr double slack = 1.0 + 1e-9;  // a contact made from the range's own limits is inside
@@ -307,7 +340,7 @@ Coverage LoadTable::coverage(const TireContact& contact) const {
   // On pavement the loads do not depend on speed.
   coverage.speed = depth == 0.0 || (speed * slack >= data_->speeds[0] && speed <= data_->speeds[1] * slack);
   coverage.bed_depth = depth <= data_->depths[1] * slack;
-  coverage.penetration = contact.penetration / data_->penetration.at(depth) <= data_->ratios[1] * slack;
+  coverage.penetration = contact.penetration / maximum <= data_->ratios[1] * slack;
   return coverage;
 }
 

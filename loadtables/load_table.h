@@ -82,6 +82,8 @@ class LoadTable {
   LoadAlong load_on_pavement(double penetration) const;
   Coverage coverage(const TireContact&) const;
   double maximum_penetration(double bed_depth) const;
+  /// For callers that keep maximum_penetration() of the contact's depth.
+  Coverage coverage(const TireContact&, double maximum_penetration) const;
 
   const TableTire& tire() const;
   const Provenance& provenance() const;

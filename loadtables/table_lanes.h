@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "loadtables/load_table.h"
 
@@ -22,8 +23,13 @@ struct TableNumbers {
   double by_speed, by_depth;               ///< distances of neighbours among the coefficients
   double compaction, deflection, diameter, rounding;
   const double* pavement;  ///< coefficients along the ratio at no bed depth
+  const double* level;     ///< level_coefficients() at no bed depth
   double per_pavement_scale;
 };
+
+/// The table's coefficients summed over the depth: speed × ratio × responses for one depth. Empty beyond the fitted
+/// range.
+std::vector<double> level_coefficients(const LoadTable&, double bed_depth);
 
 /// Beyond the fitted range: the table itself. Results at `out` + 0, stride, 2 stride …: drag, vertical, rut depth, spin
 /// ratio; then their slopes by speed, depth and penetration.
@@ -43,7 +49,14 @@ struct SlopeLanes {
 template <class V, int W>
 class TableLanes {
  public:
-  void set(int lane, const TableNumbers& n) {
+  /// `level`: level_coefficients() at `level_depth`, or null.
+  void set(int lane, const TableNumbers& n, const double* level, double level_depth) {
+    level_[0][lane] = n.level;
+    level_[1][lane] = level;
+    no_depth_.set(lane, n.level ? 0.0 : -1.0);
+    level_depth_.set(lane, level ? level_depth : -1.0);
+    by_level_[lane] = static_cast<std::size_t>(4.0 * (n.ratios + 3.0));
+    level_stride_.set(lane, 4.0 * (n.ratios + 3.0));
     first_[lane] = n.coefficients;
     table_[lane] = n.table;
     by_speed_[lane] = static_cast<std::size_t>(n.by_speed);
@@ -65,14 +78,21 @@ class TableLanes {
     const Place at = place(contact_speed, bed_depth, penetration);
     const auto inside = touches & at.inside;
     V weight[12];
-    const V offset = offset_and_weights(at, inside, weight);
-    alignas(64) double result[4 * W] = {};
-    for (int lane = 0; lane < W; ++lane)
-      if (inside[lane]) {
-        sum(first_[lane] + static_cast<std::size_t>(offset[lane]), by_speed_[lane], by_depth_[lane],
-            reinterpret_cast<const double*>(weight) + lane, result + lane);
-      }
-    const V* r = reinterpret_cast<const V*>(result);
+    const Cell cell = weigh(at, inside, bed_depth, weight);
+    const double* w = reinterpret_cast<const double*>(weight);
+    Four sums_of[W];  // of lanes that are not inside: of something
+    if (!any(inside & !cell.level)) {
+      for (int lane = 0; lane < W; ++lane) sum_level(cell.first[lane], by_level_[lane], w + lane, sums_of[lane]);
+    } else {
+      for (int lane = 0; lane < W; ++lane)
+        if (cell.level[lane])
+          sum_level(cell.first[lane], by_level_[lane], w + lane, sums_of[lane]);
+        else
+          sum(cell.first[lane], by_speed_[lane], by_depth_[lane], w + lane, sums_of[lane]);
+    }
+    V r[4];
+    across(sums_of, r);
+    for (auto& each : r) each = select(inside, each, V(0.0));
     LoadLanes<V> loads{r[0], r[1], r[2], select(inside, 1.0 - r[3], V(1.0))};
     const auto beyond = touches & !at.inside;
     if (any(beyond)) [[unlikely]] {
@@ -94,14 +114,18 @@ class TableLanes {
     const Place at = place(contact_speed, bed_depth, penetration);
     const auto inside = touches & at.inside;
     V weight[24];
-    const V offset = offset_and_weights(at, inside, weight);
-    slopes_of_weights(at, inside, weight);
-    alignas(64) double result[16 * W] = {};
+    const Cell cell = weigh(at, inside, bed_depth, weight);
+    weigh_slopes(at, inside, cell, weight);
+    const double* w = reinterpret_cast<const double*>(weight);
+    Four sums_of[4][W];  // value and slopes by speed, depth and ratio
     for (int lane = 0; lane < W; ++lane)
-      if (inside[lane])
-        sums(first_[lane] + static_cast<std::size_t>(offset[lane]), by_speed_[lane], by_depth_[lane],
-             reinterpret_cast<const double*>(weight) + lane, result + lane);
-    const V* r = reinterpret_cast<const V*>(result);
+      if (cell.level[lane])
+        sums_level(cell.first[lane], by_level_[lane], w + lane, lane, sums_of);
+      else
+        sums(cell.first[lane], by_speed_[lane], by_depth_[lane], w + lane, lane, sums_of);
+    V r[16];
+    for (int k = 0; k < 4; ++k) across(sums_of[k], r + 4 * k);
+    for (auto& each : r) each = select(inside, each, V(0.0));
     const V per_penetration = 1.0 / at.scale;
     const auto raised = bed_depth < 0.0;
     const V zero(0.0);
@@ -188,38 +212,61 @@ class TableLanes {
     return 0.5 * compaction_ * (1.0 - a / sqrt(a * a + rounding_ * rounding_));
   }
 
-  /// Four weights per axis; returns the offset of the first coefficient.
+  /// Where a lane's sums begin: in the table of one of the two levels where the depth is that level's, else in the
+  /// whole.
+  struct Cell {
+    decltype(V() < V()) level;
+    const double* first[W];
+  };
+
+  /// First coefficient and place in its interval.
   template <class M>
-  V offset_and_weights(const Place& at, const M& inside, V* w) const {
-    const V zero(0.0);
+  static V interval(const M& inside, const V& steps, const V& intervals, V& t) {
+    const V s = select(inside, steps, V(0.0)), down = floor(s), last = intervals - 1.0;
+    const V first = select(down < last, down, last);
+    t = s - first;
+    return first;
+  }
+  /// Weights of speed, depth (where it is not level for all) and ratio, four each.
+  template <class M>
+  Cell weigh(const Place& at, const M& inside, const V& bed_depth, V* w) const {
     const auto axis = [&](const V& steps, const V& intervals, V* weight) {
-      const V s = select(inside, steps, zero), down = floor(s), last = intervals - 1.0;
-      const V first = select(down < last, down, last);
-      const V t = s - first, q = 1.0 - t;
+      V t;
+      const V first = interval(inside, steps, intervals, t), q = 1.0 - t;
       weight[0] = q * q * q * (1.0 / 6.0);
       weight[1] = 2.0 / 3.0 - t * t * (1.0 - 0.5 * t);
       weight[2] = 2.0 / 3.0 - q * q * (1.0 - 0.5 * q);
       weight[3] = t * t * t * (1.0 / 6.0);
       return first;
     };
-    const V i = axis(at.v_steps, speeds_, w), j = axis(at.u_steps, depths_, w + 4),
-            k = axis(at.r_steps, ratios_, w + 8);
-    return i * stride_i_ + j * stride_j_ + k * 4.0;
+    const auto none = at.depth == no_depth_, second = bed_depth == level_depth_;
+    Cell cell;
+    cell.level = none | second;
+    const V i = axis(at.v_steps, speeds_, w), k = axis(at.r_steps, ratios_, w + 8);
+    V offset = i * level_stride_ + k * 4.0;
+    if (any(inside & !cell.level)) {
+      const V j = axis(at.u_steps, depths_, w + 4);
+      offset = select(cell.level, offset, i * stride_i_ + j * stride_j_ + k * 4.0);
+    }
+    for (int lane = 0; lane < W; ++lane) {
+      const double* base = none[lane] ? level_[0][lane] : second[lane] ? level_[1][lane] : first_[lane];
+      cell.first[lane] = base + static_cast<std::size_t>(offset[lane]);
+    }
+    return cell;
   }
   template <class M>
-  void slopes_of_weights(const Place& at, const M& inside, V* w) const {
-    const V zero(0.0);
+  void weigh_slopes(const Place& at, const M& inside, const Cell& cell, V* w) const {
     const auto axis = [&](const V& steps, const V& intervals, const V& per_step, V* slope) {
-      const V s = select(inside, steps, zero), down = floor(s), last = intervals - 1.0;
-      const V first = select(down < last, down, last);
-      const V t = s - first, q = 1.0 - t;
+      V t;
+      interval(inside, steps, intervals, t);
+      const V q = 1.0 - t;
       slope[0] = -0.5 * q * q * per_step;
       slope[1] = 0.5 * t * (3.0 * t - 4.0) * per_step;
       slope[2] = 0.5 * q * (4.0 - 3.0 * q) * per_step;
       slope[3] = 0.5 * t * t * per_step;
     };
-    axis(at.v_steps, speeds_, per_speed_, w + 12), axis(at.u_steps, depths_, per_depth_, w + 16);
-    axis(at.r_steps, ratios_, per_ratio_, w + 20);
+    axis(at.v_steps, speeds_, per_speed_, w + 12), axis(at.r_steps, ratios_, per_ratio_, w + 20);
+    if (any(inside & !cell.level)) axis(at.u_steps, depths_, per_depth_, w + 16);
   }
 
   using Part = typename V::Unaligned;
@@ -228,52 +275,92 @@ class TableLanes {
   static const Part& part(const double* row, int p) { return *reinterpret_cast<const Part*>(row + p * W); }
   static const Four& four(const double* row) { return *reinterpret_cast<const Four*>(row); }
 
-  static void along_ratio(const double* row, const double* r, double* out) {
-    const Four all = r[0] * four(row) + r[W] * four(row + 4) + r[2 * W] * four(row + 8) + r[3 * W] * four(row + 12);
-    for (int m = 0; m < 4; ++m) out[m * W] = all[m];
+  static void along_ratio(const double* row, const double* r, Four& out) {
+    out = r[0] * four(row) + r[W] * four(row + 4) + r[2 * W] * four(row + 8) + r[3 * W] * four(row + 12);
+  }
+  /// From four responses per lane to a vector across the lanes per response.
+  static void across(const Four* rows, V* out) {
+    if constexpr (W == 8) {
+      Part pair[4];
+      for (int k = 0; k < 4; ++k) pair[k] = __builtin_shufflevector(rows[k], rows[k + 4], 0, 1, 2, 3, 4, 5, 6, 7);
+      const Part t0 = __builtin_shufflevector(pair[0], pair[1], 0, 8, 2, 10, 4, 12, 6, 14),
+                 t1 = __builtin_shufflevector(pair[0], pair[1], 1, 9, 3, 11, 5, 13, 7, 15),
+                 t2 = __builtin_shufflevector(pair[2], pair[3], 0, 8, 2, 10, 4, 12, 6, 14),
+                 t3 = __builtin_shufflevector(pair[2], pair[3], 1, 9, 3, 11, 5, 13, 7, 15);
+      out[0].v = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13);
+      out[1].v = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13);
+      out[2].v = __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15);
+      out[3].v = __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15);
+    } else {
+      for (int k = 0; k < 4; ++k)
+        for (int lane = 0; lane < W; ++lane) out[k].set(lane, rows[lane][k]);
+    }
   }
 
   /// The sums of spline_sum.inl; weights W apart.
-  static void sum(const double* first, std::size_t by_i, std::size_t by_j, const double* w, double* out) {
-    const double *v = w, *u = w + 4 * W;
+  static Part along_depth(const double* c, std::size_t by_j, const double* u, int p) {
+    return u[0] * part(c, p) + u[W] * part(c + by_j, p) + u[2 * W] * part(c + 2 * by_j, p) +
+           u[3 * W] * part(c + 3 * by_j, p);
+  }
+  static void sum(const double* first, std::size_t by_i, std::size_t by_j, const double* w, Four& out) {
+    sum_rows([&](int i, int p) { return along_depth(first + static_cast<std::size_t>(i) * by_i, by_j, w + 4 * W, p); },
+             w, out);
+  }
+  static void sum_level(const double* first, std::size_t by_i, const double* w, Four& out) {
+    sum_rows([&](int i, int p) { return part(first + static_cast<std::size_t>(i) * by_i, p); }, w, out);
+  }
+  template <class Line>
+  static void sum_rows(const Line& line, const double* w, Four& out) {
     alignas(64) double row[16];
     for (int p = 0; p < parts; ++p) {
       Part total{};
-      for (int j = 0; j < 4; ++j) {
-        const double* c = first + static_cast<std::size_t>(j) * by_j;
-        total += u[j * W] * (v[0] * part(c, p) + v[W] * part(c + by_i, p) + v[2 * W] * part(c + 2 * by_i, p) +
-                             v[3 * W] * part(c + 3 * by_i, p));
-      }
+      for (int i = 0; i < 4; ++i) total += w[i * W] * line(i, p);
       *reinterpret_cast<Part*>(row + p * W) = total;
     }
     along_ratio(row, w + 8 * W, out);
   }
-  static void sums(const double* first, std::size_t by_i, std::size_t by_j, const double* w, double* out) {
-    const double *v = w, *u = w + 4 * W, *dv = w + 12 * W, *du = w + 16 * W;
-    alignas(64) double row[16], by_v[16], by_u[16];
+  static void sums(const double* first, std::size_t by_i, std::size_t by_j, const double* w, int lane,
+                   Four (&out)[4][W]) {
+    const auto along = [&](int i, const double* u, int p) {
+      return along_depth(first + static_cast<std::size_t>(i) * by_i, by_j, u, p);
+    };
+    alignas(64) double by_u[16];
     for (int p = 0; p < parts; ++p) {
-      Part total{}, along_v{}, along_u{};
-      for (int j = 0; j < 4; ++j) {
-        const double* c = first + static_cast<std::size_t>(j) * by_j;
-        const Part c0 = part(c, p), c1 = part(c + by_i, p), c2 = part(c + 2 * by_i, p), c3 = part(c + 3 * by_i, p);
-        const Part line = v[0] * c0 + v[W] * c1 + v[2 * W] * c2 + v[3 * W] * c3;
-        total += u[j * W] * line;
-        along_u += du[j * W] * line;
-        along_v += u[j * W] * (dv[0] * c0 + dv[W] * c1 + dv[2 * W] * c2 + dv[3 * W] * c3);
+      Part along_u{};
+      for (int i = 0; i < 4; ++i) along_u += w[i * W] * along(i, w + 16 * W, p);
+      *reinterpret_cast<Part*>(by_u + p * W) = along_u;
+    }
+    sums_rows([&](int i, int p) { return along(i, w + 4 * W, p); }, w, lane, out);
+    along_ratio(by_u, w + 8 * W, out[2][lane]);
+  }
+  /// Without slopes by the depth, which does not change there.
+  static void sums_level(const double* first, std::size_t by_i, const double* w, int lane, Four (&out)[4][W]) {
+    sums_rows([&](int i, int p) { return part(first + static_cast<std::size_t>(i) * by_i, p); }, w, lane, out);
+    out[2][lane] = Four{};
+  }
+  template <class Line>
+  static void sums_rows(const Line& line, const double* w, int lane, Four (&out)[4][W]) {
+    alignas(64) double row[16], by_v[16];
+    for (int p = 0; p < parts; ++p) {
+      Part total{}, along_v{};
+      for (int i = 0; i < 4; ++i) {
+        const Part at = line(i, p);
+        total += w[i * W] * at;
+        along_v += w[(12 + i) * W] * at;
       }
       *reinterpret_cast<Part*>(row + p * W) = total;
       *reinterpret_cast<Part*>(by_v + p * W) = along_v;
-      *reinterpret_cast<Part*>(by_u + p * W) = along_u;
     }
-    along_ratio(row, w + 8 * W, out);
-    along_ratio(by_v, w + 8 * W, out + 4 * W);
-    along_ratio(by_u, w + 8 * W, out + 8 * W);
-    along_ratio(row, w + 20 * W, out + 12 * W);
+    along_ratio(row, w + 8 * W, out[0][lane]);
+    along_ratio(by_v, w + 8 * W, out[1][lane]);
+    along_ratio(row, w + 20 * W, out[3][lane]);
   }
 
   const double* first_[W] = {};
   const LoadTable* table_[W] = {};
-  const double* pavement_[W] = {};
+  const double *pavement_[W] = {}, *level_[2][W] = {};
+  std::size_t by_level_[W] = {};
+  V no_depth_ = -1.0, level_depth_ = -1.0, level_stride_ = 0.0;
   std::size_t by_speed_[W] = {}, by_depth_[W] = {};
   V speed_low_ = 0.0, depth_low_ = 0.0, ratio_low_ = 0.0, per_speed_ = 1.0, per_depth_ = 1.0, per_ratio_ = 1.0;
   V speeds_ = 1.0, depths_ = 1.0, ratios_ = 1.0, stride_i_ = 0.0, stride_j_ = 0.0;

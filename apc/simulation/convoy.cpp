@@ -111,10 +111,11 @@ struct Convoy::Lane {
       : errand(asked),
         ticket(of),
         prepared(*asked.model, *asked.overrun, *asked.options),
+        levels(prepared.plant),
         around(surroundings_at_entry(prepared.plant)),
         solver(block, lane, prepared.plant, around, fast_tolerance(prepared.plant) * asked.options->rtol),
         course(prepared.plant, around, solver, prepared.observer, asked.options->time_limit) {
-    block.put(lane, prepared.plant, around);
+    block.put(lane, prepared.plant, levels, around);
     course.begin(prepared.start.state);
   }
 
@@ -122,6 +123,7 @@ struct Convoy::Lane {
   std::size_t ticket;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
   Prepared prepared;
+  LevelTables levels;
   Surroundings around;
   LaneSolver solver;
   Course<LaneSolver> course;

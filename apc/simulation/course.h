@@ -65,6 +65,7 @@ class Course {
 
   void begin(const std::vector<double>& start) {
     y_ = start;
+    way_ = y_[0];
     solver_.start(0.0, y_);
     look(0.0);
     write_ruts(plant_, around_, moment_);
@@ -76,12 +77,8 @@ class Course {
   Stretch stretch(double before) {
     Stretch passed{before, solver_.time(), Event::none, 1};
     passed.event = next_event(before, passed.until);
-    if (any_follower_) {
-      solver_.state(before, y_.data());
-      const double from = y_[0];
-      solver_.state(passed.until, y_.data());
-      passed.pairs = std::max(1, static_cast<int>(std::ceil(0.5 * (y_[0] - from) / rut_spacing)));
-    }
+    if (any_follower_) passed.pairs = std::max(1, static_cast<int>(std::ceil(0.5 * (y_[0] - way_) / rut_spacing)));
+    way_ = y_[0];
     return passed;
   }
 
@@ -132,11 +129,11 @@ class Course {
  private:
   static constexpr bool has_quadratures = std::is_same_v<Solver, Cvode>;
 
-  /// The earliest event in the step; `until` is moved to it.
+  /// The earliest event in the step; `until` is moved to it, and the state is the one there.
   Event next_event(double before, double& until) {
     Event event = Event::none;
+    solver_.state(until, y_.data());
     const auto look_for = [&](Event kind, const auto& crossed) {
-      solver_.state(until, y_.data());
       if (crossed(y_.data()) < 0.0) return false;
       until = crossing(solver_, before, until, y_.data(), crossed);
       event = kind;
@@ -219,7 +216,7 @@ class Course {
   bool any_follower_ = false;
   Moment moment_;
   std::array<double, sinks> dissipated_{}, power_{}, half_{};
-  double settled_ = 0.0, next_look_ = 0.0;
+  double settled_ = 0.0, next_look_ = 0.0, way_ = 0.0;  ///< way: X at the end of the last stretch
   long looks_ = 0;
 };
 

@@ -43,15 +43,17 @@ std::array<double, 2> row_motion(const Plant& plant, int index, const double* y)
   const auto& row = plant.rows[static_cast<std::size_t>(index)];
   const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
   const double* rate = y + plant.degrees();
-  const double c = std::cos(y[2]), s = std::sin(y[2]), stroke = y[3 + row.group];
+  const auto [s, c] = elementary::sine_cosine(y[2]);
+  const double stroke = y[3 + row.group];
   const Vector body{group.extended.x + stroke * group.axis.x, group.extended.z + stroke * group.axis.z};
   double x = y[0] + body.x * c - body.z * s;
   double u =
       rate[0] - rate[2] * (body.x * s + body.z * c) + rate[3 + row.group] * (group.axis.x * c - group.axis.z * s);
   if (group.bogie >= 0) {
     const auto beam = 3 + plant.groups.size() + static_cast<std::size_t>(group.bogie);
-    x += row.offset * std::cos(y[beam]);
-    u -= rate[beam] * row.offset * std::sin(y[beam]);
+    const auto turn = elementary::sine_cosine(y[beam]);
+    x += row.offset * turn.cosine;
+    u -= rate[beam] * row.offset * turn.sine;
   }
   return {x, u};
 }

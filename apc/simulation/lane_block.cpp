@@ -66,16 +66,22 @@ std::array<Profile::Piece, 2> lane_pieces(const Plant& plant) {
   return {plant.profile.first_piece(), plant.profile.last_piece()};
 }
 
-void lane_rut(const Surroundings& around, int leader, double distance, std::size_t& near, double* out, int stride) {
-  const auto rut = around.ruts[static_cast<std::size_t>(leader)].at(distance, near);
-  for (const double value : {rut.depth, rut.penetration, rut.drag, rut.vertical, rut.depth_slope})
-    *out = value, out += stride;
+RutLog::Between lane_rut(const Surroundings& around, int leader, double distance, std::size_t& near) {
+  return around.ruts[static_cast<std::size_t>(leader)].between(distance, near);
 }
 
-GroundNumbersOfLane lane_numbers(const Plant& plant, int group) {
+LevelTables::LevelTables(const Plant& plant) : depth(plant.profile.last_piece().depth) {
+  for (const auto& group : plant.groups) {
+    const bool level = plant.profile.last_piece().slope == 0.0 && !group.ground.alterations;
+    coefficients.push_back(level ? loadtables::level_coefficients(*group.ground.table, depth) : std::vector<double>{});
+  }
+}
+
+GroundNumbersOfLane lane_numbers(const Plant& plant, const LevelTables& levels, int group) {
+  const auto& level = levels.coefficients[static_cast<std::size_t>(group)];
   const auto& ground = plant.groups[static_cast<std::size_t>(group)].ground;
-  return {ground.table->numbers(), ground.alterations != nullptr, ground.following.bearing_gain,
-          ground.following.rolling_resistance};
+  return {ground.table->numbers(),       level.empty() ? nullptr : level.data(), levels.depth,
+          ground.alterations != nullptr, ground.following.bearing_gain,          ground.following.rolling_resistance};
 }
 
 LaneBlock* make_lane_block() {

@@ -20,14 +20,21 @@ struct Shape {
 };
 Shape shape_of(const Model&, const Overrun&);
 
+/// Every group's table along the bed's last piece, where that is level; empty otherwise.
+struct LevelTables {
+  explicit LevelTables(const Plant&);
+  double depth = 0.0;
+  std::vector<std::vector<double>> coefficients;
+};
+
 class LaneBlock {
  public:
   virtual ~LaneBlock() = default;
   virtual int width() const = 0;
   /// Another shape, all lanes empty. The weights of its states are those of StepWork.
   virtual void reshape(const Shape&, const double* weight, const double* weight_by_size) = 0;
-  /// A run in `lane`; plant and surroundings must outlive its stay.
-  virtual void put(int lane, const Plant&, const Surroundings&) = 0;
+  /// A run in `lane`; what it is made of must outlive its stay.
+  virtual void put(int lane, const Plant&, const LevelTables&, const Surroundings&) = 0;
   virtual void take_out(int lane) = 0;
   /// State of a lane (at a start).
   virtual void set_state(int lane, const double* y) = 0;
@@ -56,8 +63,8 @@ void lane_ground(const Plant&, const Surroundings&, int row, double time, double
                  double penetration, double distance, double* out, int stride);
 void lane_ground_with_slopes(const Plant&, const Surroundings&, int row, double time, double nose, double speed,
                              double depth, double penetration, double distance, double* out, int stride);
-/// The rut behind a row: depth, penetration, drag, vertical, and the slope of the depth. `near`: see RutLog.
-void lane_rut(const Surroundings&, int leader, double distance, std::size_t& near, double* out, int stride);
+/// RutLog::between of the rut behind a row.
+RutLog::Between lane_rut(const Surroundings&, int leader, double distance, std::size_t& near);
 /// Depth and inclination, each value and slope.
 void lane_profile(const Plant&, double distance, double half_patch, double* out, int stride);
 /// The bed's first and last pieces.
@@ -65,10 +72,12 @@ std::array<Profile::Piece, 2> lane_pieces(const Plant&);
 /// A lane's numbers of its ground.
 struct GroundNumbersOfLane {
   loadtables::TableNumbers table;
+  const double* level;  ///< the table along the bed's last piece, or null where that is not level
+  double level_depth;
   bool altered;
   double bearing_gain, rolling_resistance;
 };
-GroundNumbersOfLane lane_numbers(const Plant&, int group);
+GroundNumbersOfLane lane_numbers(const Plant&, const LevelTables&, int group);
 
 /// For the widest instruction set this processor has; the caller owns it.
 LaneBlock* make_lane_block();

@@ -44,10 +44,10 @@ class Block final : public LaneBlock {
     filled_ = started_ = false;
   }
 
-  void put(int lane, const Plant& plant, const Surroundings& around) override {
+  void put(int lane, const Plant& plant, const LevelTables& levels, const Surroundings& around) override {
     // The first run also stands in for the others until they come: every lane always holds numbers that mean something.
     for (int l = 0; l < W; ++l)
-      if (l == lane || !filled_) fill(l, plant, around);
+      if (l == lane || !filled_) fill(l, plant, levels, around);
     filled_ = true;
     around_.present.m[lane] = -1;
   }
@@ -144,7 +144,7 @@ class Block final : public LaneBlock {
            });
   }
 
-  void fill(int lane, const Plant& from, const Surroundings& around) {
+  void fill(int lane, const Plant& from, const LevelTables& levels, const Surroundings& around) {
     auto& to = plant_;
     to.plant[lane] = &from;
     around_.around[lane] = &around;
@@ -170,8 +170,8 @@ class Block final : public LaneBlock {
       set(b.braking, a.braking), set(b.braking_in_bed, a.braking_in_bed);
       set(b.bogie_inertia, a.bogie_inertia), set(b.bogie_damping, a.bogie_damping);
       pair(b.extended, a.extended), pair(b.axis, a.axis);
-      const auto ground = lane_numbers(from, g);
-      b.table.set(lane, ground.table);
+      const auto ground = lane_numbers(from, levels, g);
+      b.table.set(lane, ground.table, ground.level, ground.level_depth);
       around_.altered[g].m[lane] = ground.altered ? -1 : 0;
       set(b.bearing_gain, ground.bearing_gain), set(b.rolling_resistance, ground.rolling_resistance);
     }

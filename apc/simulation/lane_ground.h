@@ -51,6 +51,41 @@ struct GroundLanes {
   V slope[4][4];
 };
 
+/// RutLog::at for the lanes in `wanted`: entries lane by lane, the cubic between them side by side.
+template <int W>
+struct RutLanes {
+  Lanes<W> value[4], depth_slope;
+};
+template <int W>
+RutLanes<W> read_ruts(const AroundLanes<W>& around, int index, int leader, const Mask<W>& wanted,
+                      const Lanes<W>& distance) {
+  using V = Lanes<W>;
+  alignas(64) double from[W] = {}, to[W], a[4][W] = {}, b[4][W] = {}, by_a[4][W] = {}, by_b[4][W] = {};
+  for (int lane = 0; lane < W; ++lane) {
+    to[lane] = 0.0;
+    if (!wanted[lane]) continue;
+    const auto at = lane_rut(*around.around[lane], leader, distance[lane], around.near[index][lane]);
+    from[lane] = at.from, to[lane] = at.to;
+    for (int k = 0; k < 4; ++k) a[k][lane] = at.before->value[k];
+    if (!at.after) continue;
+    for (int k = 0; k < 4; ++k)
+      by_a[k][lane] = at.before->slope[k], b[k][lane] = at.after->value[k], by_b[k][lane] = at.after->slope[k];
+  }
+  const auto lanes = [](const double* x) -> const V& { return *reinterpret_cast<const V*>(x); };
+  const auto flat = lanes(to) == lanes(from);
+  const V h = select(flat, V(1.0), lanes(to) - lanes(from)), per_h = 1.0 / h, t = (distance - lanes(from)) * per_h,
+          r = 1.0 - t;
+  const V w0 = r * r * (1.0 + 2.0 * t), w1 = t * t * (3.0 - 2.0 * t), w2 = h * t * r * r, w3 = -h * t * t * r;
+  const V s0 = -6.0 * t * r * per_h, s2 = r * (1.0 - 3.0 * t), s3 = t * (3.0 * t - 2.0);
+  RutLanes<W> rut;
+  for (int k = 0; k < 4; ++k)
+    rut.value[k] =
+        select(flat, lanes(a[k]), (lanes(a[k]) * w0 + lanes(b[k]) * w1) + (lanes(by_a[k]) * w2 + lanes(by_b[k]) * w3));
+  const V slope = (lanes(a[0]) - lanes(b[0])) * s0 + (lanes(by_a[0]) * s2 + lanes(by_b[0]) * s3);
+  rut.depth_slope = select(flat, V(0.0), slope);
+  return rut;
+}
+
 /// How the lanes of a row meet the ground: by the plain table, riding on the floor of a rut, or by the scalar code
 /// (altered ground, ruts that yield or begin).
 template <int W>
@@ -72,21 +107,22 @@ Meeting<W> meet(const PlantLanes<W>& plant, const AroundLanes<W>& around, int in
   if (row.ahead < 0) return meeting;
   const auto follows = meeting.plain & around.in_bed[index] & (depth > 0.0);
   if (!any(follows)) return meeting;
-  alignas(64) double read[5 * W] = {};
-  for (int lane = 0; lane < W; ++lane)
-    if (follows[lane])
-      lane_rut(*around.around[lane], row.ahead, distance[lane], around.near[index][lane], read + lane, W);
-  const V* rut = reinterpret_cast<const V*>(read);
-  const V &rut_depth = rut[0], &slope = rut[4], deflection = penetration - rut_depth;
+  const auto rut = read_ruts(around, index, row.ahead, follows, distance);
+  const V &rut_depth = rut.value[0], &slope = rut.depth_slope, deflection = penetration - rut_depth;
   const auto in_rut = follows & (rut_depth > shallowest_rut);
   meeting.plain = meeting.plain & !in_rut;
   auto riding = in_rut & !(rut_depth < plain_rut) & (deflection > 0.0);
   const auto floor = group.table.load_on_pavement(riding, deflection);
-  meeting.riding = riding & !(floor.load.vertical > group.bearing_gain * rut[3]);
+  meeting.riding = riding & !(floor.load.vertical > group.bearing_gain * rut.value[3]);
   meeting.single = meeting.single | (in_rut & !meeting.riding);
   const V zero(0.0), friction = group.rolling_resistance;
-  const V ridden[7] = {
-      friction * floor.load.vertical, floor.load.vertical, rut_depth, floor.load.spin_ratio, rut[1], rut[2], rut[3]};
+  const V ridden[7] = {friction * floor.load.vertical,
+                       floor.load.vertical,
+                       rut_depth,
+                       floor.load.spin_ratio,
+                       rut.value[1],
+                       rut.value[2],
+                       rut.value[3]};
   for (int k = 0; k < 7; ++k) ground.value[k] = ridden[k];
   const V by_penetration[4] = {friction * floor.slope.vertical, floor.slope.vertical, zero, floor.slope.spin_ratio};
   for (int m = 0; m < 4; ++m) {

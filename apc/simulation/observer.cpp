@@ -122,7 +122,11 @@ void Observer::see(double time, const double* y, const Surroundings& around, con
     const auto& lead = moment.rows[static_cast<std::size_t>(group.first_row)];
     if (around.in_bed[static_cast<std::size_t>(group.first_row)] && lead.bed_depth > 0.0) {
       watch.in_bed += passed;
-      const auto inside = group.ground.table->coverage({std::abs(lead.speed), lead.bed_depth, lead.penetration});
+      const auto& table = *group.ground.table;
+      if (lead.bed_depth != watch.depth)
+        watch.depth = lead.bed_depth, watch.maximum_penetration = table.maximum_penetration(lead.bed_depth);
+      const auto inside =
+          table.coverage({std::abs(lead.speed), lead.bed_depth, lead.penetration}, watch.maximum_penetration);
       if (!inside.speed) watch.outside_speed += passed;
       if (!inside.bed_depth) watch.outside_depth += passed;
       if (!inside.penetration) watch.outside_penetration += passed;

@@ -41,6 +41,7 @@ class Observer {
     Peak drag, vertical, stroke, rut, penetration;
     double drag_work = 0.0, last_drag = 0.0;
     double ultimate_at = -1.0;  ///< bed distance of the nose where the drag first passed its ultimate load
+    double depth = -1.0, maximum_penetration = 0.0;  ///< of the table at the depth seen last
     double in_bed = 0.0, outside_speed = 0.0, outside_depth = 0.0, outside_penetration = 0.0, outside = 0.0;  ///< s
   };
   const Model& model_;

@@ -5,6 +5,7 @@
 
 #include "apc/simulation/course.h"
 #include "apc/simulation/cvode.h"
+#include "apc/simulation/elementary.h"
 #include "apc/simulation/rosenbrock.h"
 
 namespace apc::simulation {
@@ -72,7 +73,8 @@ std::vector<double> absolute_tolerances(const Plant& plant, double rtol) {
 
 double cg_speed(const Plant& plant, const double* y) {
   const double* rate = y + plant.degrees();
-  return rate[0] - rate[2] * (plant.cg.x * std::sin(y[2]) + plant.cg.z * std::cos(y[2]));
+  const auto turn = elementary::sine_cosine(y[2]);
+  return rate[0] - rate[2] * (plant.cg.x * turn.sine + plant.cg.z * turn.cosine);
 }
 
 Ending run_reference(const Plant& plant, const std::vector<double>& state, double rtol, double time_limit,

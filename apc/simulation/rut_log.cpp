@@ -10,18 +10,16 @@ void RutLog::write(double distance, const Rut& rut) {
   distances_.push_back(distance);
   entries_.push_back({{rut.depth, rut.penetration, rut.drag, rut.vertical}, {}});
   const std::size_t n = entries_.size();
+  if (n == 1) distances_.reserve(1024), entries_.reserve(1024);
   if (n < 2) return;
   auto &last = entries_[n - 1], &middle = entries_[n - 2];
-  const double h1 = distance - distances_[n - 2];
-  for (int k = 0; k < 4; ++k) {
-    const double after = (last.value[k] - middle.value[k]) / h1;
-    last.slope[k] = after;
-    if (n == 2) {
-      middle.slope[k] = after;
-    } else {  // of the parabola through three points; the middle one still holds the secant before it
-      const double h0 = distances_[n - 2] - distances_[n - 3];
-      middle.slope[k] = (middle.slope[k] * h1 + after * h0) / (h0 + h1);
-    }
+  const double h1 = distance - distances_[n - 2], per_h1 = 1.0 / h1;
+  for (int k = 0; k < 4; ++k) last.slope[k] = (last.value[k] - middle.value[k]) * per_h1;
+  if (n == 2) {
+    for (int k = 0; k < 4; ++k) middle.slope[k] = last.slope[k];
+  } else {  // of the parabola through three points; the middle one still holds the secant before it
+    const double h0 = distances_[n - 2] - distances_[n - 3], per_both = 1.0 / (h0 + h1);
+    for (int k = 0; k < 4; ++k) middle.slope[k] = (middle.slope[k] * h1 + last.slope[k] * h0) * per_both;
   }
 }
 
@@ -32,20 +30,24 @@ void RutLog::clear() {
   entries_.clear();
 }
 
-template <bool with_slopes>
-Rut RutLog::read(double distance, std::size_t& near) const {
-  if (entries_.size() < 2 || distance <= distances_.front()) return {};
-  if (distance >= distances_.back()) {
-    const double* v = entries_.back().value;
-    return {v[0], v[1], v[2], v[3]};
-  }
+RutLog::Between RutLog::between(double distance, std::size_t& near) const {
+  static constexpr Entry nothing{};
+  if (entries_.size() < 2 || distance <= distances_.front()) return {distance, distance, &nothing, nullptr};
+  if (distance >= distances_.back()) return {distance, distance, &entries_.back(), nullptr};
   std::size_t i = std::min(near, entries_.size() - 2);
   while (distances_[i] > distance) --i;
   while (distances_[i + 1] <= distance) ++i;
   near = i;
-  const Entry &a = entries_[i], &b = entries_[i + 1];
-  const double h = distances_[i + 1] - distances_[i], per_h = 1.0 / h, t = (distance - distances_[i]) * per_h,
-               r = 1.0 - t;
+  return {distances_[i], distances_[i + 1], &entries_[i], &entries_[i + 1]};
+}
+
+template <bool with_slopes>
+Rut RutLog::read(double distance, std::size_t& near) const {
+  const auto at = between(distance, near);
+  const Entry& a = *at.before;
+  if (!at.after) return {a.value[0], a.value[1], a.value[2], a.value[3]};
+  const Entry& b = *at.after;
+  const double h = at.to - at.from, per_h = 1.0 / h, t = (distance - at.from) * per_h, r = 1.0 - t;
   const double w0 = r * r * (1.0 + 2.0 * t), w1 = t * t * (3.0 - 2.0 * t), w2 = h * t * r * r, w3 = -h * t * t * r;
   double value[4];
   for (int k = 0; k < 4; ++k) value[k] = (a.value[k] * w0 + b.value[k] * w1) + (a.slope[k] * w2 + b.slope[k] * w3);
@@ -70,6 +72,5 @@ Rut RutLog::values_at(double distance) const {
   std::size_t near = from_the_end;
   return read<false>(distance, near);
 }
-Rut RutLog::at(double distance, std::size_t& near) const { return read<true>(distance, near); }
 
 }  // namespace apc::simulation

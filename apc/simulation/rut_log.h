@@ -26,17 +26,24 @@ class RutLog {
   Rut at(double distance) const;
   /// The same without its slopes.
   Rut values_at(double distance) const;
-  /// The same as at(); searches from entry `near`, where it was found last, and leaves there where it was found now.
-  Rut at(double distance, std::size_t& near) const;
+
+  /// An entry with the slopes there; those of the last one are of the secant before it until the next is written.
+  struct Entry {
+    double value[4], slope[4];  ///< depth, penetration, drag, vertical
+  };
+  /// What at() reads between: a cubic from `before` to `after`, or (`after` null) the value of `before` alone. Searches
+  /// from entry `near`, where it was found last, and leaves there where it was found now.
+  struct Between {
+    double from, to;
+    const Entry *before, *after;
+  };
+  Between between(double distance, std::size_t& near) const;
+
   double last_distance() const;
   bool empty() const { return entries_.empty(); }
   void clear();
 
  private:
-  /// An entry with the slopes there; those of the last one are of the secant before it until the next is written.
-  struct Entry {
-    double value[4], slope[4];  ///< depth, penetration, drag, vertical
-  };
   template <bool with_slopes>
   Rut read(double distance, std::size_t& near) const;
   std::vector<double> distances_;  ///< apart from the entries, so that a search passes over few bytes
