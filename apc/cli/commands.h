@@ -42,6 +42,7 @@ void add_study(CLI::App&, Settings&);
 void add_design(CLI::App&, Settings&);
 void add_reliability(CLI::App&, Settings&);
 void add_report(CLI::App&, Settings&);
+void add_site(CLI::App&, Settings&);
 void add_check(CLI::App&, Settings&);
 void add_describe(CLI::App&, Settings&);
 void add_list(CLI::App&, Settings&);

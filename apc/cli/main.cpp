@@ -77,6 +77,7 @@ int run(const std::vector<std::string>& words) {
   add_design(program, settings);
   add_reliability(program, settings);
   add_report(program, settings);
+  add_site(program, settings);
   add_loads(program, settings);
   add_sph(program, settings);
   add_check(program, settings);

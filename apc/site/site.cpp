@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apc/base/require.h"
 #include "apc/base/units.h"
 
 namespace apc::site {
@@ -20,36 +21,42 @@ Place at(const Site& site, double along, double left) {
 }  // namespace
 
 Corners area(const Site& site, double from, double to, double width) {
-  return {at(site, from, 0.5 * width), at(site, to, 0.5 * width), at(site, to, -0.5 * width),
-          at(site, from, -0.5 * width)};
+  return {at(site, from, 0.5 * width), at(site, from, -0.5 * width), at(site, to, -0.5 * width),
+          at(site, to, 0.5 * width)};
 }
 
 std::vector<Check> fit(const Site& site, const bed::Bed& bed) {
+  require(bed.setback < site.safety_length, "site \"", site.name, "\" /safety_area/length: ", site.safety_length,
+          " m is shorter than the bed's set-back of ", bed.setback,
+          " m, so no part of the bed lies on it. Check both lengths, or design a bed with a smaller set-back");
   const double slack = 1e-6;
   std::vector<Check> out;
   const auto at_most = [&](const char* what, double value, double limit) {
-    out.push_back({what, value, limit, value <= limit + slack});
+    out.push_back({what, value, limit, value <= limit + slack, false});
   };
   const auto at_least = [&](const char* what, double value, double limit) {
-    out.push_back({what, value, limit, value >= limit - slack});
+    out.push_back({what, value, limit, value >= limit - slack, false});
   };
   at_least("set-back from the pavement end", bed.setback, site.minimum_setback);
   at_most("far end of the bed, within the safety area's length", bed.setback + bed.length(), site.safety_length);
   at_most("width of the bed, within the safety area's width", bed.width, site.safety_width);
   at_least("width of the bed, not below the runway's", bed.width, site.runway_width);
   out.push_back({"grade the bed was designed for, that of the site", bed.grade, site.grade,
-                 std::abs(bed.grade - site.grade) <= 5e-3});
+                 std::abs(bed.grade - site.grade) <= 5e-3, true});
   return out;
 }
 
 namespace {
 
+/// The closed ring of the corners. Longitudes go on beyond 180° where the ring crosses it: a jump to −180° would wind
+/// the ring around the earth.
 std::string text_of(const Corners& corners, const char* separator, const char* form) {
   std::string out;
   for (std::size_t i = 0; i <= corners.size(); ++i) {
     const auto& corner = corners[i % corners.size()];
-    out += (i ? separator : "") +
-           fmt::format(fmt::runtime(form), corner.longitude / units::deg, corner.latitude / units::deg);
+    const double longitude =
+        corners[0].longitude + std::remainder(corner.longitude - corners[0].longitude, 2 * std::numbers::pi);
+    out += (i ? separator : "") + fmt::format(fmt::runtime(form), longitude / units::deg, corner.latitude / units::deg);
   }
   return out;
 }

@@ -21,12 +21,18 @@ struct Site {
   double safety_length = 0.0, safety_width = 0.0;  ///< m, of the safety area behind the pavement end
   double minimum_setback = 0.0;                    ///< m
   double grade = 0.0;                              ///< rise over run
+  double elevation = 0.0;                          ///< m, of the pavement end above mean sea level
+  /// m from the pavement end back along the runway to where aircraft landing the other way may touch down.
+  double displaced_threshold = 0.0;
 };
 
 Site load_site(const std::filesystem::path&);
 Site read_site(const Json&);
+/// The file that `load_site` reads back: degrees with nine decimals (a tenth of a millimetre), lengths in metres.
+std::string site_json(const Site&);
 
-/// A rectangle on the ground, corners in order; its first corner is near and left of the centreline.
+/// A rectangle on the ground, counterclockwise seen from above (the right-hand rule of RFC 7946): near left, near
+/// right, far right, far left of the centreline.
 using Corners = std::array<Place, 4>;
 
 /// Between two distances behind the pavement end, `width` across, centred on the extended centreline.
@@ -37,9 +43,11 @@ struct Check {
   std::string what;
   double value = 0.0, limit = 0.0;  ///< m, or rise over run for the grade
   bool met = false;
+  bool grade = false;
 };
 
-/// Set-back, length, width against runway and safety area, grade.
+/// Set-back, length, width against runway and safety area, grade. InputError when the safety area ends before the bed's
+/// leading edge: no part of such a bed lies on the site.
 std::vector<Check> fit(const Site&, const bed::Bed&);
 
 std::string geojson(const Site&, const bed::Bed&);

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "apc/base/require.h"
@@ -35,8 +38,33 @@ Site read_site(const Json& json) {
              "leaves no room: the safety area ends before a bed could begin. Check both lengths");
   site.grade = json.number("grade", 0.0);
   json.check(std::abs(site.grade) <= 0.1, "grade", "is steeper than 1 in 10: write rise over run, such as -0.005");
+  site.elevation = json.quantity("elevation", dimension::length, 0.0);
+  json.check(std::abs(site.elevation) <= 5000, "elevation", "is no elevation of a runway. Check its unit");
+  site.displaced_threshold = json.quantity("displaced_threshold", dimension::length, 0.0);
+  json.check(site.displaced_threshold >= 0 && site.displaced_threshold <= 3000, "displaced_threshold",
+             "is no distance from the pavement end back to a landing threshold (0 to 3000 m)");
   json.finish();
   return site;
+}
+
+std::string site_json(const Site& site) {
+  const auto metres = [](double length) { return fmt::format("{:.3f} m", length); };
+  const auto degrees = [](double angle) { return fmt::format("{:.9f} deg", angle / units::deg); };
+  const nlohmann::ordered_json out{
+      {"schema", "apc-site/1"},
+      {"name", site.name},
+      {"source", site.source},
+      {"runway_end",
+       {{"latitude", degrees(site.end.latitude)},
+        {"longitude", degrees(site.end.longitude)},
+        {"true_heading", degrees(site.heading)},
+        {"width", metres(site.runway_width)}}},
+      {"safety_area", {{"length", metres(site.safety_length)}, {"width", metres(site.safety_width)}}},
+      {"minimum_setback", metres(site.minimum_setback)},
+      {"grade", site.grade},
+      {"elevation", metres(site.elevation)},
+      {"displaced_threshold", metres(site.displaced_threshold)}};
+  return out.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 Site load_site(const std::filesystem::path& path) { return read_site(read_json(path)); }

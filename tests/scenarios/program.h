@@ -86,6 +86,7 @@ class Running {
     ::_exit(127);
   }
   void interrupt() const { ::kill(child_, SIGINT); }
+  void kill() const { ::kill(child_, SIGKILL); }
   bool ended() {
     if (!waited_ && ::waitpid(child_, &status_, WNOHANG) == child_) waited_ = true;
     return waited_;

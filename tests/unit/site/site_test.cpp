@@ -25,26 +25,6 @@ bed::Bed bed(double setback, double length, double width) {
   return out;
 }
 
-/// One degree of meridian at the equator, 110 574.3886 m (WGS 84).
-TEST(Away, OneDegreeOfMeridianAtTheEquator) {
-  const auto there = away({0.0, 0.2}, 0.0, 110574.3886);
-  EXPECT_NEAR(there.latitude / units::deg, 1.0, 1e-9);
-  EXPECT_NEAR(there.longitude, 0.2, 1e-15);
-}
-
-TEST(Away, OneDegreeOfEquatorIsTheCircleOfTheSemiMajorAxis) {
-  const auto there = away({0.0, 0.0}, 90 * units::deg, 6378137.0 * units::deg);
-  EXPECT_NEAR(there.longitude / units::deg, 1.0, 1e-10);
-  EXPECT_NEAR(there.latitude, 0.0, 1e-15);
-}
-
-TEST(Away, ComesBackWhereItStarted) {
-  const Place from{40.6 * units::deg, -73.8 * units::deg};
-  const auto there = away(from, 33 * units::deg, 180.0), back = away(there, 213.0014 * units::deg, 180.0);
-  EXPECT_NEAR(back.latitude, from.latitude, 1e-9);
-  EXPECT_NEAR(back.longitude, from.longitude, 1e-9);
-}
-
 TEST(Site, ABedThatFitsMeetsEveryCheck) {
   for (const auto& check : fit(site(), bed(15.24, 120.0, 45.72))) EXPECT_TRUE(check.met) << check.what;
 }
@@ -66,18 +46,32 @@ TEST(Site, TheBedLiesAheadAndCentred) {
   const auto corners = area(site(), 15.24, 135.24, 45.72);  // heading east at 45° north
   const double metre_east = 1.0 / (6378137.0 / std::sqrt(1 - 0.00669437999 * 0.5) * std::cos(45 * units::deg));
   EXPECT_NEAR(corners[0].longitude, 10 * units::deg + 15.24 * metre_east, 1e-3 * metre_east);
-  EXPECT_NEAR(corners[1].longitude, 10 * units::deg + 135.24 * metre_east, 1e-3 * metre_east);
+  EXPECT_NEAR(corners[3].longitude, 10 * units::deg + 135.24 * metre_east, 1e-3 * metre_east);
   EXPECT_GT(corners[0].latitude, 45 * units::deg);  // left of east is north
-  EXPECT_NEAR(corners[0].latitude + corners[3].latitude, 90 * units::deg, 1e-9);
+  EXPECT_NEAR(corners[0].latitude + corners[1].latitude, 90 * units::deg, 1e-9);
+  EXPECT_NEAR(way(corners[0], corners[1]).length, 45.72, 1e-6);
+  EXPECT_NEAR(way(corners[2], corners[3]).length, 45.72, 1e-6);
 }
 
-TEST(Site, GeoJsonIsReadableAndClosesItsRings) {
-  const auto text = geojson(site(), bed(15.24, 120.0, 45.72));
-  const auto json = parse_json(text, "geojson");
-  EXPECT_EQ(json.text("type"), "FeatureCollection");
-  const auto ring = json.objects("features")[2].raw()["geometry"]["coordinates"][0];
-  EXPECT_EQ(ring.front(), ring.back());
-  EXPECT_NE(kml(site(), bed(15.24, 120.0, 45.72)).find("<coordinates>"), std::string::npos);
+TEST(Site, FallsShortOfTheSetBackIsBadInput) {
+  try {
+    fit(site(), bed(200.0, 120.0, 45.72));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("/safety_area/length"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Site, IsReadBackFromItsOwnFile) {
+  auto from = site();
+  from.elevation = 31.4, from.displaced_threshold = 120.0;
+  const auto back = read_site(parse_json(site_json(from), "site.json"));
+  EXPECT_NEAR(back.end.latitude, from.end.latitude, 1e-11);
+  EXPECT_NEAR(back.heading, from.heading, 1e-11);
+  EXPECT_NEAR(back.runway_width, from.runway_width, 1e-3);
+  EXPECT_NEAR(back.safety_length, from.safety_length, 1e-3);
+  EXPECT_EQ(back.displaced_threshold, 120.0);
+  EXPECT_EQ(back.name, from.name);
 }
 
 TEST(Site, IsRefusedByPlaceAndReason) {
