@@ -45,11 +45,14 @@ class LaneSolver {
     block_.present(lane_, moment_);
     count_linearisation();
   }
+  /// Where the block has just looked, else null.
+  const Moment* looked(double t, double* y) {
+    if (t != looked_at_) return nullptr;
+    block_.looked(lane_, y, looked_);
+    return &looked_;
+  }
   const Moment* known(double t, double* y) {
-    if (t == looked_at_) {
-      block_.looked(lane_, y, looked_);
-      return &looked_;
-    }
+    if (const auto* between = looked(t, y)) return between;
     state(t, y);
     if (t != time_) return nullptr;
     if (!linearised_) {  // an event at the very end of a step
@@ -101,9 +104,9 @@ class LaneSolver {
 
 bool fits_lanes(const Errand& errand) {
   const auto& overrun = *errand.overrun;
-  return errand.options->method == Method::fast && errand.options->sampling == 0.0 &&
-         overrun.brake_mode == BrakeMode::friction && !overrun.sinking.counts() && !overrun.alterations.guide &&
-         !overrun.alterations.alter_thrust() && !alters_site(overrun);
+  return errand.options->method == Method::fast && overrun.brake_mode == BrakeMode::friction &&
+         !overrun.sinking.counts() && !overrun.alterations.guide && !overrun.alterations.alter_thrust() &&
+         !alters_site(overrun);
 }
 
 struct Convoy::Lane {
@@ -200,21 +203,31 @@ void Convoy::advance() {
     run.passed = run.course.stretch(time[l]);
     run.open = run.passed.event == Event::none;
   });
-  for (int index = 1;; ++index) {
+  const auto together = [&](const auto& wanted, const auto& instant, const auto& see) {
     bool any_look = false, looks[widest] = {};
     each([&](std::size_t l, Lane& run) {
-      looks[l] = chosen[l] && run.open && index < 2 * run.passed.pairs;
+      looks[l] = chosen[l] && run.open && wanted(run);
       if (!looks[l]) return;
       any_look = true;
-      time[l] = run.passed.instant(index);
+      time[l] = instant(run);
       theta[l] = run.solver.theta(time[l]);
       run.solver.looks_at(time[l]);
     });
-    if (!any_look) break;
+    if (!any_look) return false;
     block_->look(time, theta, looks);
     each([&](std::size_t l, Lane& run) {
-      if (looks[l]) run.course.look_at(run.passed, index);
+      if (looks[l]) see(run), run.solver.looks_at(NAN);
     });
+    return true;
+  };
+  while (together([](const Lane& run) { return run.course.on_grid(run.passed); },
+                  [](const Lane& run) { return run.course.grid_instant(); },
+                  [](Lane& run) { run.course.look_on_grid(); })) {
+  }
+  for (int index = 1; together([&](const Lane& run) { return index < 2 * run.passed.pairs; },
+                               [&](const Lane& run) { return run.passed.instant(index); },
+                               [&](Lane& run) { run.course.look_at(run.passed, index); });
+       ++index) {
   }
   each([&](std::size_t l, Lane& run) {
     if (!chosen[l] || run.open) return;

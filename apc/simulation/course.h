@@ -84,14 +84,23 @@ class Course {
 
   /// Grid instants; then ruts and (for solvers without quadratures of their own) energy within a stretch.
   void look_between(const Stretch& passed) {
-    while (observer_.interval() > 0.0 && next_look_ <= passed.until) {
-      solver_.state(next_look_, y_.data());
-      look(next_look_);
-      observer_.see(next_look_, y_.data(), around_, moment_, dissipated_at(next_look_));
-      next_look_ = static_cast<double>(++looks_) * observer_.interval();
-    }
+    while (on_grid(passed)) look_on_grid();
     if (!has_quadratures || any_follower_)
       for (int i = 1; i < 2 * passed.pairs; ++i) look_at(passed, i);
+  }
+  /// Whether the observer's next grid instant lies in the stretch; when it is; and seeing it.
+  bool on_grid(const Stretch& passed) const { return observer_.interval() > 0.0 && next_look_ <= passed.until; }
+  double grid_instant() const { return next_look_; }
+  void look_on_grid() {
+    const Moment* moment = nullptr;
+    if constexpr (requires { solver_.looked(next_look_, y_.data()); }) moment = solver_.looked(next_look_, y_.data());
+    if (!moment) {
+      solver_.state(next_look_, y_.data());
+      look(next_look_);
+      moment = &moment_;
+    }
+    observer_.see(next_look_, y_.data(), around_, *moment, dissipated_at(next_look_));
+    next_look_ = static_cast<double>(++looks_) * observer_.interval();
   }
   /// The end of one of the stretch's parts.
   void look_at(const Stretch& passed, int index) { see(passed, index, passed.instant(index)); }

@@ -49,7 +49,8 @@ double longest_way(const Plant& plant) {
   double reach = 2.0;
   for (const auto& row : plant.rows)
     if (row.ahead >= 0)
-      reach = std::min(reach, 0.7 * (plant.rows[static_cast<std::size_t>(row.ahead)].offset - row.offset));
+      reach = std::min(
+          {reach, 1.96 * rut_spacing, 0.7 * (plant.rows[static_cast<std::size_t>(row.ahead)].offset - row.offset)});
   if (!plant.alterations) return reach;
   for (const auto& each : plant.alterations->effects) {  // narrow places (joints) must not be stepped over
     if (each.values.empty() || each.values.front() == each.effect.parameters.front().neutral) continue;

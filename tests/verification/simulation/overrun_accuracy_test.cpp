@@ -101,10 +101,9 @@ Model shipped_model(const std::string& aircraft, const std::string& bed_name) {
 }
 
 TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed) {
-  // Against the same method at a thousandth of the tolerance, whose own error the tests above bound. Seven fast
-  // overruns of the B747-400, unbraked or in the raised bed, are nearly unstable: its bogies bounce in the ruts they
-  // dig and every small error grows. They miss the millimetre and are counted here, so that they cannot become more
-  // unseen.
+  // Against the same method at a thousandth of the tolerance, whose own error the tests above bound. Three fast
+  // overruns of the B747-400 in the raised bed are nearly unstable: its bogies bounce in the ruts they dig and every
+  // small error grows. They miss the millimetre and are counted here, so that they cannot become more unseen.
   for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
     double worst = 0.0;
     int runs = 0, beyond = 0;
@@ -125,8 +124,8 @@ TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed
         }
     }
     std::printf("V9 %s: %d runs, worst %.2f mm, %d beyond a millimetre\n", name, runs, 1e3 * worst, beyond);
-    EXPECT_LE(beyond, std::string(name) == "B747-400" ? 5 : 0) << name;
-    EXPECT_LT(worst, 0.05) << name;
+    EXPECT_LE(beyond, std::string(name) == "B747-400" ? 3 : 0) << name;
+    EXPECT_LT(worst, 0.1) << name;
   }
 }
 

@@ -15,11 +15,19 @@ namespace {
 /// Every number of a result but the wall clock.
 std::string all_of(Result result) {
   result.solver.wall_s = 0.0;
-  return study::to_text(result);
+  auto text = study::to_text(result);
+  const auto& history = result.history;
+  for (const auto* column : {&history.time, &history.distance, &history.speed, &history.deceleration, &history.pitch,
+                             &history.pitch_rate, &history.heave, &history.dissipated})
+    text += study::to_text(*column);
+  for (const auto& gear : history.gears)
+    for (const auto* column : {&gear.drag, &gear.vertical, &gear.stroke, &gear.penetration, &gear.rut, &gear.spin})
+      text += study::to_text(*column);
+  return text;
 }
 
 /// Overruns of three aircraft over beds that ramp, step, fall short and lie raised; brakes that change at the edge;
-/// altered ground; and one that lanes must leave to the scalar code.
+/// altered ground; some with histories; and some that lanes must leave to the scalar code.
 class SideBySide : public ::testing::Test {
  protected:
   SideBySide() {
@@ -32,8 +40,8 @@ class SideBySide : public ::testing::Test {
       raised.depth = {0.0, 0.35, 0.35, 0.45, 0.45};
       models_.push_back(testing::foam_model(name, raised));
     }
-    options_.method = Method::fast;
-    options_.sampling = 0.0;
+    options_.method = with_history_.method = Method::fast;
+    options_.sampling = 0.0, with_history_.sampling = 0.01;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> uniform(0.0, 1.0);
     for (std::size_t m = 0; m < models_.size(); ++m)
@@ -51,15 +59,16 @@ class SideBySide : public ::testing::Test {
         of_.push_back(m);
       }
     for (std::size_t i = 0; i < overruns_.size(); ++i) {
-      errands_.push_back({&models_[of_[i]], &overruns_[i], &options_});
-      alone_.push_back(all_of(simulate(models_[of_[i]], overruns_[i], options_)));
+      const auto& options = i % 7 == 6 ? with_history_ : options_;
+      errands_.push_back({&models_[of_[i]], &overruns_[i], &options});
+      alone_.push_back(all_of(simulate(models_[of_[i]], overruns_[i], options)));
     }
   }
 
   std::vector<Model> models_;
   std::vector<Overrun> overruns_;
   std::vector<std::size_t> of_;
-  Options options_;
+  Options options_, with_history_;
   std::vector<Errand> errands_;
   std::vector<std::string> alone_;
 };
