@@ -19,7 +19,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
   };
   static const auto effects = data, simulation = with(effects, {"apc/effects"}),
                     above = with(simulation, {"apc/simulation"});
-  static const auto report = with(above, {"apc/learning", "apc/study", "apc/design", "apc/site"});
+  static const auto report = with(above, {"apc/learning", "apc/study", "apc/design", "apc/reliability", "apc/site"});
   static const std::map<std::string, std::set<std::string>> table{
       {"apc/base", {}},
       {"aircraft", {"apc/base"}},
@@ -32,6 +32,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"apc/learning", above},
       {"apc/study", above},
       {"apc/design", with(above, {"apc/study"})},
+      {"apc/reliability", with(above, {"apc/study"})},
       {"apc/report", report},
       {"apc/cli", with(report, {"apc/report", "sph_backend"})},
   };

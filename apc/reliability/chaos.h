@@ -4,10 +4,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cstddef>
 #include <vector>
 
-namespace apc::study {
+namespace apc::reliability {
 
 struct SobolIndex {
   double first = 0.0;  ///< share of the variance due to this input alone
@@ -16,17 +16,19 @@ struct SobolIndex {
 
 class Chaos {
  public:
-  /// Rows of `u` in (0, 1), one value each. Needs more rows than terms: 1 + 2 d + d (d − 1)/2.
+  /// Terms of an expansion in `inputs` inputs: 1 + 2 d + d (d − 1)/2.
+  static constexpr std::size_t terms(std::size_t inputs) { return 1 + 2 * inputs + inputs * (inputs - 1) / 2; }
+  /// Rows of `u` in (0, 1), one value each. Needs more rows than terms.
   Chaos(const std::vector<std::vector<double>>& u, const std::vector<double>& values);
   double operator()(const std::vector<double>& u) const;
   std::vector<SobolIndex> indices() const;
   double unexplained() const { return unexplained_; }  ///< 1 − R²: higher orders, and scatter that is no input
 
  private:
-  Eigen::RowVectorXd terms(const std::vector<double>& u) const;
+  Eigen::RowVectorXd row(const std::vector<double>& u) const;
   std::size_t inputs_;
   Eigen::VectorXd coefficients_;
   double unexplained_ = 0.0, variance_ = 0.0;
 };
 
-}  // namespace apc::study
+}  // namespace apc::reliability

@@ -1,25 +1,25 @@
-#include "apc/study/chaos.h"
+#include "apc/reliability/chaos.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
 
 #include "apc/base/require.h"
 
-namespace apc::study {
+namespace apc::reliability {
 
 Chaos::Chaos(const std::vector<std::vector<double>>& u, const std::vector<double>& values) : inputs_(u.front().size()) {
   const auto rows = static_cast<Eigen::Index>(u.size());
-  const auto columns = terms(u.front()).size();
+  const auto columns = static_cast<Eigen::Index>(terms(inputs_));
   expect(rows > columns, "a chaos expansion needs more samples than terms");
   Eigen::MatrixXd A(rows, columns);
-  for (Eigen::Index i = 0; i < rows; ++i) A.row(i) = terms(u[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < rows; ++i) A.row(i) = row(u[static_cast<std::size_t>(i)]);
   const Eigen::Map<const Eigen::VectorXd> y(values.data(), rows);
   coefficients_ = (A.transpose() * A).ldlt().solve(A.transpose() * y);
   variance_ = (y.array() - y.mean()).square().sum();
   unexplained_ = variance_ > 0 ? (y - A * coefficients_).squaredNorm() / variance_ : 0.0;
 }
 
-Eigen::RowVectorXd Chaos::terms(const std::vector<double>& u) const {
+Eigen::RowVectorXd Chaos::row(const std::vector<double>& u) const {
   std::vector<double> p1, p2, out{1.0};
   for (const double each : u) {
     const double x = 2 * each - 1;
@@ -32,7 +32,7 @@ Eigen::RowVectorXd Chaos::terms(const std::vector<double>& u) const {
   return Eigen::Map<Eigen::RowVectorXd>(out.data(), static_cast<Eigen::Index>(out.size()));
 }
 
-double Chaos::operator()(const std::vector<double>& u) const { return terms(u).dot(coefficients_); }
+double Chaos::operator()(const std::vector<double>& u) const { return row(u).dot(coefficients_); }
 
 std::vector<SobolIndex> Chaos::indices() const {
   const double total = coefficients_.tail(coefficients_.size() - 1).squaredNorm();
@@ -49,4 +49,4 @@ std::vector<SobolIndex> Chaos::indices() const {
   return out;
 }
 
-}  // namespace apc::study
+}  // namespace apc::reliability

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "apc/base/json.h"
 #include "apc/simulation/simulate.h"
 
-namespace apc::study {
+namespace apc::reliability {
 
 /// Standard deviations are of normal distributions cut at ±3; ranges are uniform.
 struct Scatter {
@@ -26,6 +28,10 @@ struct Scatter {
   double years_low = 0.0, years_high = 20.0;                ///< age of the bed
   double per_year = 0.0015;                                 ///< loss of strength: 3 % over 20 years
 };
+
+/// Throws InputError: file, path, value, remedy.
+Scatter load_scatter(const std::filesystem::path&);
+Scatter read_scatter(const Json&);
 
 inline constexpr std::size_t scattered_inputs = 7;
 /// "mass", "centre of gravity", "braking", "bed strength", "bed depth", "temperature", "age", in the order of `u`.
@@ -51,4 +57,4 @@ class Draws {
   std::uint64_t state_;
 };
 
-}  // namespace apc::study
+}  // namespace apc::reliability

@@ -1,4 +1,4 @@
-#include "apc/study/reliability.h"
+#include "apc/reliability/reliability.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,9 @@
 #include <set>
 
 #include "../design/closed_form.h"
+#include "apc/base/require.h"
 
-namespace apc::study {
+namespace apc::reliability {
 namespace {
 
 TEST(NormalOf, HasTheQuantilesOfTheStandardNormal) {
@@ -66,10 +67,10 @@ ReliabilityInput braking_only() {
 /// Only braking scatters: v_arrest² = 2 L (a₀ + k h + g μ), μ uniform.
 TEST(Reliability, AgreesWithTheClosedForm) {
   const auto input = braking_only();
-  Store store;
+  study::Store store;
   ReliabilityOptions options;
   options.samples = 400;
-  const auto out = reliability(input, closed_form::solve, store, options);
+  const auto out = assess(input, one_by_one(closed_form::solve), store, options);
   const auto critical = [](double mu) { return std::sqrt(200.0 * (0.5 + 20 * 0.4 + 9.80665 * mu)); };
   double exact = 0.0;
   for (int i = 0; i < 1000; ++i) exact += input.exit_speeds.below(critical(0.25 * (i + 0.5) / 1000)) / 1000;
@@ -78,19 +79,73 @@ TEST(Reliability, AgreesWithTheClosedForm) {
   EXPECT_GE(out.arrest.high, exact - 1e-4);
   EXPECT_NEAR(out.arrest_speed_975, critical(0.25 * 0.025), 0.15);
   EXPECT_GT(out.arrest_indices[2].first, 0.95);  // braking
-  EXPECT_LT(out.runs, 7 * 400);
+  EXPECT_LE(out.runs, 2 * 400);
+}
+
+/// A load (v/25 m/s)^0.4 × peak deceleration / 9.5 m/s² besides: v_intact in closed form, the smaller of the two.
+TEST(Reliability, OfDamageAgreesWithTheClosedForm) {
+  auto input = braking_only();
+  input.use = [](const simulation::Result& result) {
+    return std::pow(result.entry_speed / 25.0, 0.4) * result.peak_deceleration / 9.5;
+  };
+  study::Store store;
+  ReliabilityOptions options;
+  options.samples = 2000;
+  const auto out = assess(input, one_by_one(closed_form::solve), store, options);
+  double exact = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    const double a = 0.5 + 9.80665 * 0.25 * (i + 0.5) / 1000, peak = a + 20 * 0.4;
+    const double arrest = std::sqrt(200.0 * peak), intact = 25.0 * std::pow(9.5 / peak, 2.5);
+    exact += input.exit_speeds.below(std::min(arrest, intact)) / 1000;
+  }
+  EXPECT_NEAR(out.intact.value, exact, 1e-3);
+  EXPECT_LE(out.intact.low, exact + 5e-4);
+  EXPECT_GE(out.intact.high, exact - 5e-4);
+  EXPECT_LT(out.intact.high - out.intact.low, 0.01);
+  EXPECT_LE(out.intact_speed_975, out.arrest_speed_975);
+  EXPECT_LE(out.runs, 4 * 2000);
+}
+
+TEST(Reliability, IsTheSameForAnyNumberOfThreads) {
+  const auto input = braking_only();
+  ReliabilityOptions one, four;
+  one.samples = four.samples = 400, one.threads = 1, four.threads = 4;
+  study::Store first, second;
+  const auto a = assess(input, one_by_one(closed_form::solve), first, one);
+  const auto b = assess(input, one_by_one(closed_form::solve), second, four);
+  EXPECT_EQ(a.arrest_speeds, b.arrest_speeds);
+  EXPECT_EQ(a.runs, b.runs);
+}
+
+TEST(Reliability, CountsSamplesTheSolverGivesUpOn) {
+  const auto input = braking_only();
+  study::Store store;
+  ReliabilityOptions options;
+  options.samples = 400;
+  const auto solve = [](const simulation::Model& model, const simulation::Overrun& run,
+                        const simulation::Options& how) -> simulation::Result {
+    if (run.braking > 0.24) throw SolveError("too hard");
+    return closed_form::solve(model, run, how);
+  };
+  const auto out = assess(input, one_by_one(solve), store, options);
+  EXPECT_NEAR(static_cast<double>(out.gave_up), 16.0, 1.0);  // 4 % of 400, evenly spread
+  EXPECT_EQ(out.samples + out.gave_up, 400u);
 }
 
 TEST(Reliability, ContinuesFromItsStoreWithoutARun) {
   const auto input = braking_only();
-  Store store;
+  study::Store store;
   ReliabilityOptions options;
   options.samples = 200;
-  const auto first = reliability(input, closed_form::solve, store, options);
-  const auto second = reliability(input, closed_form::solve, store, options);
+  const auto first = assess(input, one_by_one(closed_form::solve), store, options);
+  const auto refuse = [](const simulation::Model&, const simulation::Overrun&,
+                         const simulation::Options&) -> simulation::Result { throw SolveError("a run"); };
+  const auto second = assess(input, one_by_one(refuse), store, options);
   EXPECT_GT(first.runs, 0);
-  EXPECT_EQ(second.runs, 0);
+  EXPECT_EQ(second.runs, first.runs);
+  EXPECT_EQ(second.gave_up, 0u);
   EXPECT_EQ(first.arrest.value, second.arrest.value);
+  EXPECT_EQ(first.intact_speeds, second.intact_speeds);
 }
 
 TEST(Drawn, BlocksScatterAsAskedAndTheSameSeedGivesTheSameBlocks) {
@@ -110,4 +165,4 @@ TEST(Drawn, BlocksScatterAsAskedAndTheSameSeedGivesTheSameBlocks) {
 }
 
 }  // namespace
-}  // namespace apc::study
+}  // namespace apc::reliability

@@ -2,21 +2,21 @@
 #include <nlohmann/json.hpp>
 
 #include "apc/report/manifest_json.h"
-#include "apc/report/study_reliability.h"
+#include "apc/report/reliability_record.h"
 
 namespace apc::report {
 namespace {
 
 using Value = nlohmann::ordered_json;
 
-Value estimate_value(const study::Estimate& estimate) {
+Value estimate_value(const reliability::Estimate& estimate) {
   return {{"value", estimate.value}, {"interval95", {estimate.low, estimate.high}}};
 }
 
-Value indices_value(const std::vector<study::SobolIndex>& indices, double unexplained) {
+Value indices_value(const std::vector<reliability::SobolIndex>& indices, double unexplained) {
   Value out = Value::object();
   for (std::size_t i = 0; i < indices.size(); ++i)
-    out[study::scattered_names()[i]] = {{"first", indices[i].first}, {"total", indices[i].total}};
+    out[reliability::scattered_names()[i]] = {{"first", indices[i].first}, {"total", indices[i].total}};
   out["unexplained"] = unexplained;
   return out;
 }

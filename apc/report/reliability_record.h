@@ -1,9 +1,9 @@
 /// A finished reliability study with everything its reports need.
 #pragma once
 
+#include "apc/reliability/reliability.h"
 #include "apc/report/record.h"
 #include "apc/report/unit_system.h"
-#include "apc/study/reliability.h"
 
 namespace apc::report {
 
@@ -11,9 +11,9 @@ struct ReliabilityRecord {
   std::string design;  ///< name of the bed
   std::vector<std::string> cases;
   std::vector<double> asked_speeds;  ///< m/s, per case
-  std::vector<study::Reliability> results;
-  study::Scatter scatter;
-  study::ExitSpeeds exit_speeds;
+  std::vector<reliability::Reliability> results;
+  reliability::Scatter scatter;
+  reliability::ExitSpeeds exit_speeds;
   std::string criterion;
   double seconds = 0.0;
   Manifest manifest;

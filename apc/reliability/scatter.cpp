@@ -1,10 +1,10 @@
-#include "apc/study/scatter.h"
+#include "apc/reliability/scatter.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace apc::study {
+namespace apc::reliability {
 
 double Draws::next() {
   std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
@@ -103,4 +103,4 @@ simulation::Overrun drawn(const simulation::Model& model, const simulation::Over
   return run;
 }
 
-}  // namespace apc::study
+}  // namespace apc::reliability
