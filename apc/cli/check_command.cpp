@@ -9,9 +9,13 @@
 #include "apc/base/json.h"
 #include "apc/base/require.h"
 #include "apc/cli/commands.h"
+#include "apc/cli/formats.h"
 #include "apc/cli/inputs.h"
+#include "apc/cli/of_design.h"
 #include "apc/cli/sph_deck.h"
 #include "apc/cli/text_table.h"
+#include "apc/reliability/scatter.h"
+#include "apc/site/site.h"
 #include "loadtables/samples.h"
 #include "sph_backend/material_json.h"
 
@@ -34,6 +38,21 @@ std::string check_bed(const fs::path& path, report::UnitSystem units) {
                 shown(bed.maximum_depth(), measure::depth, units), " of ", bed.material);
 }
 
+std::string check_fleet(const fs::path& path, report::UnitSystem units) {
+  const auto fleet = design::load_fleet(path);
+  load_fleet_models(fleet, note("fleet", path, fleet.source), {});  // aircraft, tables, masses, centres of gravity
+  return concat(fleet.name, ", ", design::aircraft_names(fleet).size(), " aircraft, ", fleet.cases.size(),
+                " cases, beds up to ", shown(fleet.bed.maximum_length, measure::distance, units));
+}
+
+std::string check_design(const fs::path& path, report::UnitSystem units) {
+  OfDesign words;
+  words.design = path.string();
+  const auto loaded = load_design_models(words);
+  return concat(loaded.design.bed.name, ", ", shown(loaded.design.bed.length(), measure::distance, units), ", ",
+                loaded.models.size(), " cases");
+}
+
 std::string check_json(const fs::path& path, report::UnitSystem units) {
   const auto file = read_json(path);
   const auto schema = file.text("schema");
@@ -50,7 +69,15 @@ std::string check_json(const fs::path& path, report::UnitSystem units) {
     return concat(schema, ": ", deck.rig.tire.name, " in ", deck.material, " at ",
                   shown(deck.rig.speed, measure::speed, units));
   }
-  const std::vector<std::string> known{"apc-aircraft/1", "apc-bed/1", "apc-tire/1", "apc-material/1", "apc-sph/1"};
+  if (schema == "apc-fleet/1") return schema + ": " + check_fleet(path, units);
+  if (schema.starts_with("apc-design/")) return schema + ": " + check_design(path, units);
+  if (schema == "apc-scatter/1") return schema + ": from " + reliability::load_scatter(path).source;
+  if (schema == "apc-site/1") {
+    const auto place = site::load_site(path);
+    return concat(schema, ": ", place.name, ", safety area ", shown(place.safety_length, measure::distance, units));
+  }
+  std::vector<std::string> known;
+  for (const auto& format : all_formats()) known.push_back(format.schema);
   const auto near = nearest(schema, known.data(), known.size());
   throw InputError(concat(path.string(), " /schema: \"", schema, "\" is unknown to this program.",
                           near.empty() ? std::string() : concat(" Did you mean \"", near, "\"?"),
@@ -82,7 +109,7 @@ std::string check_file(const fs::path& path, report::UnitSystem units) {
 void add_check(CLI::App& program, Settings& settings) {
   auto* command = program.add_subcommand("check", "validates files without running anything");
   const auto files = std::make_shared<std::vector<std::string>>();
-  command->add_option("FILE", *files, "aircraft, tire, bed and load files (JSON, CSV, HDF5)")
+  command->add_option("FILE", *files, "files of any format of apc describe (JSON, CSV, HDF5)")
       ->required()
       ->type_name("");
   add_common_options(*command, settings);

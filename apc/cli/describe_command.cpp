@@ -12,7 +12,8 @@
 namespace apc::cli {
 
 std::vector<FormatNote> all_formats() {
-  return {describe_aircraft(), describe_tire(), describe_bed(), describe_loads(), describe_material(), describe_sph()};
+  return {describe_aircraft(), describe_tire(),  describe_bed(),    describe_loads(),   describe_material(),
+          describe_sph(),      describe_fleet(), describe_design(), describe_scatter(), describe_site()};
 }
 
 namespace {

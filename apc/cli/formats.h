@@ -28,6 +28,10 @@ FormatNote describe_bed();
 FormatNote describe_loads();
 FormatNote describe_material();
 FormatNote describe_sph();
+FormatNote describe_fleet();
+FormatNote describe_design();
+FormatNote describe_scatter();
+FormatNote describe_site();
 
 std::vector<FormatNote> all_formats();
 

@@ -25,7 +25,8 @@ const char* text(Verdict verdict) {
 namespace {
 
 constexpr double standard_speed = 70 * units::kt, least_speed = 40 * units::kt, envelope = 600 * units::ft,
-                 small_aircraft = 25000 * units::lb, friction = 0.25, usual_setback = 35 * units::ft;
+                 small_aircraft = 25000 * units::lb, friction = 0.25, usual_setback = 35 * units::ft,
+                 undershoot = 600 * units::ft;
 
 const char* const first_pages = "FAA AC 150/5220-22A/B, first pages, read";
 const char* const recalled = "FAA AC 150/5220-22B as recalled; the clause was not read";
@@ -88,6 +89,13 @@ void performance(const ComplianceRecord& record, List& list) {
                small ? "a case is lighter: treat its result with care" : "all cases are heavier");
   list.open("Designed for take-off weight and for 80 % of landing weight; lighter weights may need a longer bed",
             recalled, false, "the weights are those of the cases listed above");
+  std::string planes;
+  for (const auto& name : design::aircraft_names(record.design.fleet))
+    planes += (planes.empty() ? "" : ", ") + escaped(name);
+  list.open("The design aircraft is the most demanding regular user, or a composite of several", recalled, false,
+            "which aircraft use this runway is not known here; the design counts " + planes);
+  list.open("Predicted by a validated method, derived from tests of aircraft or of single wheels", recalled, false,
+            "no arrestment of these aircraft in this bed was measured; what the prediction rests on is said below");
 }
 
 void geometry(const ComplianceRecord& record, List& list) {
@@ -99,14 +107,21 @@ void geometry(const ComplianceRecord& record, List& list) {
   if (record.site) {
     for (const auto& check : record.fit)
       list.checked("Site: " + check.what, "the site's file: " + escaped(record.site->name), true, check.met,
-                   check.limit < 1
+                   check.grade
                        ? fmt::format("{:.4f} against {:.4f}", check.value, check.limit)
                        : both(check.value, measure::distance) + " against " + both(check.limit, measure::distance));
+    const double before = record.site->safety_length + record.site->displaced_threshold;
+    list.checked("600 ft of safety area before the threshold of landings the other way (otherwise not a standard bed)",
+                 "an airport's draft assessment, a secondary text, read", true, before >= undershoot - 1e-6,
+                 both(before, measure::distance) + " with " +
+                     both(record.site->displaced_threshold, measure::distance) + " of displaced threshold");
     list.checked("At least as wide as the runway", recalled, false, bed.width >= record.site->runway_width - 1e-6,
                  both(bed.width, measure::distance) + " against " + both(record.site->runway_width, measure::distance));
   } else {
     list.open("Centred on the extended centreline behind the runway end, inside the safety area",
               "AC 150/5220-22A as quoted in a secondary text, read", true, "no site was given (--site FILE)");
+    list.open("600 ft of safety area before the threshold of landings the other way (otherwise not a standard bed)",
+              "an airport's draft assessment, a secondary text, read", true, "no site was given (--site FILE)");
     list.open("At least as wide as the runway", recalled, false, "no site was given (--site FILE)");
   }
   list.checked("Set-back of at least 35 ft", recalled, false, bed.setback >= usual_setback - 1e-6,
@@ -120,6 +135,8 @@ void construction(List& list) {
   list.open("Marked with yellow chevrons (AC 150/5340-1)", "Aeronautical Information Manual 2-3-14, read", true, no);
   list.open("Not a stopway: no credit in declared distances",
             "AC 150/5300-13A § 312 as quoted in a public encyclopaedia, read", true, "a matter of publication");
+  list.open("The safety-area standard itself is neither modified nor waived; alternatives are looked at again",
+            "FAA Order 5200.8 as quoted in AC 150/5220-22B, first page, read", true, "a matter of administration");
   for (const char* clause :
        {"Rebound of crushed material considered", "Base carries design aircraft and rescue vehicles in all weather",
         "Rescue vehicles get in and out; people leave safely", "Carries pedestrians for maintenance",

@@ -26,7 +26,13 @@ std::string compliance_json(const ComplianceRecord& record) {
                             {"table_error", each.table_error},
                             {"stop_distance_range", {number_or_null(each.stop_low), number_or_null(each.stop_high)}},
                             {"use_range", {each.use_low, each.use_high}}});
+    if (record.learned.names.empty()) continue;
+    out["cases"].back()["with_learned_effects"] = {{"stop_distance", number_or_null(each.learned_stop)},
+                                                   {"use", each.learned_use}};
   }
+  if (!record.learned.names.empty())
+    out["learned_effects"] = {{"ids", record.learned.names},
+                              {"speeds", {record.learned.slowest, record.learned.fastest}}};
   out["provenance"] = provenance(record.manifest);
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
 }

@@ -79,11 +79,11 @@ std::string section(const ComplianceRecord& record) {
   return figure(chart);
 }
 
-/// Drag of every gear over distance, as a share of its limit.
+/// Loads of every gear over distance, as shares of their limits; drag in full lines, vertical load dashed.
 std::string history(const ComplianceRecord& record, std::size_t k) {
   const auto& result = record.cases[k].result;
   const bool limit = record.design.fleet.limits.criterion == study::Criterion::limit;
-  Chart chart{case_name(record, k) + ": drag per strut, share of its " + std::string(limit ? "limit" : "ultimate"),
+  Chart chart{case_name(record, k) + ": load per strut, share of its " + std::string(limit ? "limit" : "ultimate"),
               measure::distance,
               share,
               "nose wheel from the leading edge",
@@ -93,19 +93,54 @@ std::string history(const ComplianceRecord& record, std::size_t k) {
               {},
               "",
               0.0};
+  const auto rows = thinned_rows(result.history, 400);  // with every peak
+  const auto add = [&](const std::string& name, const std::string& look, const std::vector<double>& load, double most) {
+    if (most <= 0) return;
+    ChartLine line{name, look, {}, {}};
+    for (const auto i : rows)
+      if (result.history.distance[i] > -3)
+        line.x.push_back(result.history.distance[i]), line.y.push_back(load[i] / most);
+    chart.lines.push_back(std::move(line));
+  };
   for (std::size_t g = 0; g < result.gears.size() && g < result.history.gears.size(); ++g) {
     const auto& gear = result.gears[g];
-    const double most = limit ? gear.drag_limit : gear.drag_ultimate;
-    if (most <= 0) continue;
-    ChartLine line{escaped(gear.name), line_look(g), {}, {}};
-    for (std::size_t i = 0; i < result.history.distance.size(); i += 4)
-      if (result.history.distance[i] > -3) {
-        line.x.push_back(result.history.distance[i]);
-        line.y.push_back(result.history.gears[g].drag[i] / std::max(1, gear.struts) / most);
-      }
-    chart.lines.push_back(line);
+    const auto& loads = result.history.gears[g];
+    const double struts = std::max(1, gear.struts);
+    add(escaped(gear.name) + " drag", line_look(g), loads.drag,
+        struts * (limit ? gear.drag_limit : gear.drag_ultimate));
+    add(escaped(gear.name) + " vertical", "rut-" + line_look(g), loads.vertical,
+        struts * (limit ? 1.0 : 1.5) * gear.vertical_limit);
   }
   return chart.lines.empty() ? "" : figure(chart);
+}
+
+/// What effects learned from measured runs would change.
+std::string learned_table(const ComplianceRecord& record) {
+  const std::string heading = "<h2>What learned effects would change</h2>\n";
+  if (record.learned.names.empty())
+    return heading +
+           "<p>No learned effects were given (--model FILE): nothing in this report was corrected by a "
+           "measured run.</p>\n";
+  std::string names;
+  for (const auto& name : record.learned.names) names += (names.empty() ? "" : ", ") + escaped(name);
+  std::vector<std::vector<std::string>> rows;
+  bool outside = false;
+  for (std::size_t k = 0; k < record.cases.size(); ++k) {
+    const auto& each = record.cases[k];
+    const double speed = each.result.entry_speed;
+    const bool far = speed < record.learned.slowest - 0.5 || speed > record.learned.fastest + 0.5;
+    outside = outside || far;
+    rows.push_back({escaped(case_name(record, k)), both(each.result.stop_distance, measure::distance),
+                    both(each.learned_stop, measure::distance), percent(each.use, 1),
+                    fmt::format("@{}|{}", each.learned_use > 1 ? "fail" : "", percent(each.learned_use, 1)),
+                    far ? "@open|extrapolated" : "within"});
+  }
+  return heading + "<p>Effects: " + names + ", learned on runs from " + both(record.learned.slowest, measure::speed) +
+         " to " + both(record.learned.fastest, measure::speed) +
+         ". The requirements above are judged without them.</p>\n" +
+         table(
+             {"case", "stop", "with the effects", "largest load of its limit", "with the effects", "speeds learned on"},
+             rows, Cells::numbers);
 }
 
 std::string case_tables(const ComplianceRecord& record) {
@@ -163,7 +198,7 @@ std::string compliance_page(const ComplianceRecord& record) {
       "arrestment of these aircraft in this bed was measured.</p>\n";
   std::string body =
       "<h2>Site plan</h2>\n" + site_plan(record) + "<div class=\"plots\">\n" + section(record) + "</div>\n";
-  body += "<h2>Requirements</h2>\n" + finding_table(all) + case_tables(record) +
+  body += "<h2>Requirements</h2>\n" + finding_table(all) + case_tables(record) + learned_table(record) +
           "<h2>Load histories against limits</h2>\n<div class=\"plots\">\n";
   for (std::size_t k = 0; k < record.cases.size(); ++k) body += history(record, k);
   body += "</div>\n<h2>Certificate of the design</h2>\n";

@@ -18,6 +18,13 @@ struct ComplianceCase {
   double table_error = 0.0;                       ///< relative, the largest leave-one-out error of drag of its tables
   double stop_low = 0.0, stop_high = 0.0;         ///< m, drag and vertical load scaled by 1 ± table_error
   double use_low = 0.0, use_high = 0.0;
+  double learned_stop = 0.0, learned_use = 0.0;  ///< with the learned effects; mean nothing without any
+};
+
+/// Effects learned from measured runs, whose influence a report shows beside the tables' error.
+struct LearnedEffects {
+  std::vector<std::string> names;       ///< ids; empty = none were given
+  double slowest = 0.0, fastest = 0.0;  ///< m/s, of the runs they were learned on
 };
 
 struct ComplianceRecord {
@@ -25,6 +32,7 @@ struct ComplianceRecord {
   std::vector<ComplianceCase> cases;
   std::optional<site::Site> site;
   std::vector<site::Check> fit;
+  LearnedEffects learned;
   Manifest manifest;  ///< without a date: the same inputs give the same bytes
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apc/report/label_places.h"
 #include "apc/report/svg.h"
 
 namespace apc::report {
@@ -63,23 +64,30 @@ std::string curves(const Plot& plot, const std::vector<double>& x, const Axis& a
   return out;
 }
 
-/// Level lines with their names; names of lines that lie close together are pushed apart.
-std::string levels(const Plot& plot, const Axis& up) {
-  auto sorted = plot.levels;
-  std::sort(sorted.begin(), sorted.end(), [](const Level& a, const Level& b) { return a.value > b.value; });
+/// Level lines with their names, which keep clear of the curves over distance and over time and of each other.
+std::string levels(const Plot& plot, const Abscissa& axes, const Axis& along, const Axis& during, const Axis& up) {
+  LabelPlaces places({left, top, width - right, height - bottom});
+  const auto drawn = [](const std::vector<double>& values, const Axis& axis) {
+    auto out = values;
+    for (double& value : out) value = axis(value);
+    return out;
+  };
+  for (const auto& curve : plot.curves) {
+    const auto y = drawn(curve.values, up);
+    places.avoid_curve(drawn(axes.distance, along), y), places.avoid_curve(drawn(axes.time, during), y);
+  }
+  for (const auto& level : plot.levels) places.avoid_level(up(level.value));
   std::string out;
-  double last = -1e9;
-  for (const auto& level : sorted) {
-    const double y = up(level.value), above = y - 5;
-    const double label =
-        above < last + 13 ? std::max(y + 13, last + 13) : above;  // below its line when there is no room above
-    last = label;
+  for (const auto& level : plot.levels) {
+    const auto field = shown(level.value, plot.measure, UnitSystem::field),
+               si = shown(level.value, plot.measure, UnitSystem::si);
+    const double y = up(level.value);
+    const auto place = places.at_level(y, letters_of(level.name) + 1 + std::max(letters_of(field), letters_of(si)));
     out += fmt::format(
         "<path class=\"level {0}\" d=\"M{1},{2}H{3}\"/><text class=\"name {0}\" x=\"{4}\" y=\"{5}\" "
-        "text-anchor=\"end\">{6} {7}</text>",
-        level.look, left, pixel(y), width - right, width - right - 3, pixel(label), escaped(level.name),
-        either("tspan", shown(level.value, plot.measure, UnitSystem::field),
-               shown(level.value, plot.measure, UnitSystem::si)));
+        "text-anchor=\"{6}\">{7} {8}</text>",
+        level.look, left, pixel(y), width - right, pixel(place.x), pixel(place.y), place.anchor, escaped(level.name),
+        either("tspan", field, si));
   }
   return out;
 }
@@ -136,7 +144,7 @@ std::string figure(const Plot& plot, const Abscissa& axes, std::size_t number) {
          foot(along, measure::distance.si, axes.place, "si") + curves(plot, axes.distance, along, up) + "</g>";
   out += "<g class=\"by-time\">" + foot(during, measure::time.si, axes.moment, "either") +
          curves(plot, axes.time, during, up) + "</g>";
-  return out + levels(plot, up) + "<g class=\"cursor\"></g></svg></figure>\n";
+  return out + levels(plot, axes, along, during, up) + "<g class=\"cursor\"></g></svg></figure>\n";
 }
 
 }  // namespace apc::report

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apc/report/label_places.h"
 #include "apc/report/svg.h"
 
 namespace apc::report {
@@ -61,25 +62,38 @@ std::string grid_along(const Axis& across, const Scale& scale, const std::string
                            pixel(0.5 * (left + width - right)), height - 6, escaped(title), scale.unit);
 }
 
+/// Lines across and upright with their names, which keep clear of the curves and of each other.
 std::string levels(const Chart& chart, const Axis& across, const Axis& up) {
+  LabelPlaces places({left, top, width - right, height - bottom});
+  for (const auto& line : chart.lines) {
+    auto x = line.x, y = line.y;
+    for (double& value : x) value = across(value);
+    for (double& value : y) value = value > up.high ? std::nan("") : up(value);
+    places.avoid_curve(x, y);
+  }
+  for (const auto& level : chart.levels) places.avoid_level(up(level.value));
+  for (const auto& line : chart.verticals)
+    places.avoid_curve({across(line.value), across(line.value)}, {top, height - bottom});
   std::string out;
   for (const auto& level : chart.levels) {
     if (level.value > up.high) continue;
+    const auto field = shown(level.value, chart.up, UnitSystem::field),
+               si = shown(level.value, chart.up, UnitSystem::si);
+    const auto place =
+        places.at_level(up(level.value), letters_of(level.name) + 1 + std::max(letters_of(field), letters_of(si)));
     out += fmt::format(
         "<path class=\"level {0}\" d=\"M{1},{2}H{3}\"/><text class=\"name {0}\" x=\"{4}\" y=\"{5}\" "
-        "text-anchor=\"start\">{6} {7}</text>",
-        level.look, left, pixel(up(level.value)), width - right, left + 4, pixel(up(level.value) - 4),
-        escaped(level.name),
-        either("tspan", shown(level.value, chart.up, UnitSystem::field), shown(level.value, chart.up, UnitSystem::si)));
+        "text-anchor=\"{6}\">{7} {8}</text>",
+        level.look, left, pixel(up(level.value)), width - right, pixel(place.x), pixel(place.y), place.anchor,
+        escaped(level.name), either("tspan", field, si));
   }
   for (const auto& line : chart.verticals) {
     const double at = across(line.value);
-    const bool leftward = at > 0.6 * width;  // its name then stands left of it, inside the picture
+    const auto place = places.at_vertical(at, letters_of(line.name));
     out += fmt::format(
         "<path class=\"level {0}\" d=\"M{1},{2}V{3}\"/><text class=\"name {0}\" x=\"{4}\" y=\"{5}\" "
         "text-anchor=\"{6}\">{7}</text>",
-        line.look, pixel(at), top, height - bottom, pixel(leftward ? at - 4 : at + 4), top + 12,
-        leftward ? "end" : "start", escaped(line.name));
+        line.look, pixel(at), top, height - bottom, pixel(place.x), pixel(place.y), place.anchor, escaped(line.name));
   }
   return out;
 }

@@ -14,7 +14,8 @@ const char* const more_style = R"css(
 .curve.limit{stroke:var(--limit);stroke-dasharray:7 4}figure.plot .reading{white-space:normal}tbody th{white-space:nowrap}
 .ring{fill:none;stroke:var(--limit);stroke-width:1.6}
 .tornado.low{fill:var(--nose)}.tornado.high{fill:var(--main)}
-figure.plot{max-width:640px}td:nth-child(2) code{display:inline-block;min-width:17em}
+figure.plot{max-width:640px}table.files td{white-space:nowrap}table.files code{overflow-wrap:normal}
+table.files td:last-child{white-space:normal;min-width:17em}.range{display:block;color:var(--muted);font-size:.83em}
 .keys{display:block;font-size:.83rem}.keys .key:first-child{margin-left:0}
 td.pass{color:var(--good);font-weight:600}td.fail{color:var(--bad);font-weight:600}td.open{color:var(--warn);font-weight:600}
 tr.total th,tr.total td{border-top:2px solid var(--line)}.wrap{white-space:normal}
@@ -23,7 +24,9 @@ tr.total th,tr.total td{border-top:2px solid var(--line)}.wrap{white-space:norma
 svg.plan{min-width:720px}svg.plan text{font-size:13px}
 .area{fill:none;stroke:var(--muted);stroke-dasharray:6 4}.runway{fill:var(--pavement);opacity:.35}.plan-bed{fill:var(--foam);stroke:var(--foam-edge)}
 @media (max-width:560px){figure.plot svg text{font-size:14px}svg.plan text{font-size:17px}}
-@media print{.wide table{font-size:8pt}svg.plan{min-width:0}.reading{white-space:normal}
+@media print{.wide table{font-size:7.5pt;width:100%;min-width:0}.wide th,.wide td,.wide td.n,.wide th.n,table.files td,.wide tbody th{white-space:normal;padding-right:6px}
+.wide code{font-size:6.5pt;overflow-wrap:anywhere}.tag{white-space:normal;font-size:6.5pt}.rule{max-width:none}svg.plan{min-width:0}.reading{white-space:normal}
+table.files td:last-child{min-width:0}
 thead{display:table-header-group}section{break-inside:auto}}
 )css";
 
@@ -45,7 +48,8 @@ std::string framed(const std::string& title, const std::string& header, const st
 std::string table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows,
                   Cells cells) {
   const char* look = cells == Cells::numbers ? " class=\"n\"" : "";
-  std::string out = "<div class=\"wide\"><table><thead><tr>";
+  std::string out = cells == Cells::files ? "<div class=\"wide\"><table class=\"files\"><thead><tr>"
+                                          : "<div class=\"wide\"><table><thead><tr>";
   for (std::size_t i = 0; i < headings.size(); ++i) out += fmt::format("<th{}>{}</th>", i ? look : "", headings[i]);
   out += "</tr></thead><tbody>\n";
   for (const auto& row : rows) {
@@ -71,7 +75,8 @@ std::string manifest_section(const Manifest& manifest) {
     rows.push_back({escaped(file.role), "<code>" + escaped(file.path) + "</code>",
                     "<code>" + file.sha256.substr(0, 16) + "…</code>", escaped(file.source)});
   return "<p>" + escaped(manifest.version) + (manifest.date.empty() ? "" : ", " + escaped(manifest.date)) + ": <code>" +
-         escaped(manifest.command) + "</code></p>\n" + table({"input", "file", "SHA-256", "source"}, rows, Cells::text);
+         escaped(manifest.command) + "</code></p>\n" +
+         table({"input", "file", "SHA-256", "source"}, rows, Cells::files);
 }
 
 }  // namespace apc::report

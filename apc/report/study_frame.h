@@ -14,8 +14,8 @@ std::string framed(const std::string& title, const std::string& header, const st
                    const std::string& foot);
 
 /// A table of HTML cells in a box that scrolls sideways on a phone. Columns from the second on stand right when
-/// `numbers`.
-enum class Cells { text, numbers };
+/// `numbers`; lists of `files` keep paths and hashes in one line.
+enum class Cells { text, numbers, files };
 std::string table(const std::vector<std::string>& headings, const std::vector<std::vector<std::string>>& rows, Cells);
 
 /// Version, command and input files with their hashes.
