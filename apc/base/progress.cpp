@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "apc/base/stop.h"
+
 namespace apc {
 namespace {
 
@@ -52,6 +54,10 @@ void Progress::show(double done, const std::string& remark) {
                terminal_ ? "" : "\n");
   std::fflush(stderr);
 }
+
+void request_stop() { interrupts = 1; }
+
+void forget_stop() { interrupts = 0; }
 
 bool stop_requested() { return interrupts > 0; }
 
