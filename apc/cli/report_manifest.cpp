@@ -16,11 +16,13 @@ using Value = nlohmann::ordered_json;
 std::string manifest_text(const ReportAsk& ask, const report::ComplianceRecord& record, const Texts& made) {
   Value out{{"schema", "apc-manifest/1"}};
   out.update(report::provenance(record.manifest));
-  out["arguments"] = {{"design", ask.of.design},
-                      {"site", ask.site},
-                      {"model", ask.effects},
-                      {"loads", ask.of.choice.loads.string()},
-                      {"tires", ask.of.choice.tires.string()}};
+  out["arguments"] = Value::object();
+  for (const auto& [name, value] : {std::pair{"design", ask.of.design},
+                                    {"site", ask.site},
+                                    {"model", ask.effects},
+                                    {"loads", ask.of.choice.loads.string()},
+                                    {"tires", ask.of.choice.tires.string()}})
+    if (!value.empty()) out["arguments"][name] = value;
   out["made"] = Value::array();
   for (const auto& [name, text] : made) out["made"].push_back({{"name", name}, {"sha256", report::sha256(text)}});
   return out.dump(1, ' ', false, Value::error_handler_t::replace) + "\n";
@@ -64,8 +66,8 @@ ReportAsk read_manifest(const std::filesystem::path& path) {
   ask.command = json.text("command");
   const auto arguments = json.object("arguments");
   ask.of.design = arguments.text("design");
-  ask.site = arguments.text("site"), ask.effects = arguments.text("model");
-  ask.of.choice.loads = arguments.text("loads"), ask.of.choice.tires = arguments.text("tires");
+  ask.site = arguments.text("site", ""), ask.effects = arguments.text("model", "");
+  ask.of.choice.loads = arguments.text("loads", ""), ask.of.choice.tires = arguments.text("tires", "");
   return ask;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "apc/base/units.h"
 #include "apc/report/compliance_record.h"
@@ -53,14 +54,32 @@ std::string site_plan(const ComplianceRecord& record) {
   out += box("plan-bed", bed.setback, bed.setback + bed.length(), bed.width);
   out += fmt::format("<path class=\"zero\" stroke-dasharray=\"12 5 2 5\" d=\"M{},{}H{}\"/>", pixel(x(-before)),
                      pixel(0.5 * (tall - 20)), pixel(x(ahead)));
-  out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">bed {}</text>",
-                     pixel(x(bed.setback + 0.5 * bed.length())), pixel(tall - 6),
-                     either("tspan", shown(bed.length(), measure::distance, UnitSystem::field),
-                            shown(bed.length(), measure::distance, UnitSystem::si)));
-  out +=
-      fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">set-back {}</text>", pixel(x(0.0)), pixel(tall - 6),
-                  either("tspan", shown(bed.setback, measure::distance, UnitSystem::field),
-                         shown(bed.setback, measure::distance, UnitSystem::si)));
+  const auto words = [&](double along, double y, const char* anchor, const std::string& text) {
+    out += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>", pixel(x(along)), pixel(y), anchor, text);
+  };
+  const auto length = [](double value) {
+    return either("tspan", shown(value, measure::distance, UnitSystem::field),
+                  shown(value, measure::distance, UnitSystem::si));
+  };
+  const double middle = 0.5 * (tall - 20), low = tall - 6;
+  words(-0.5 * before, middle - 8, "middle", "runway");
+  words(-0.5 * before, middle + 20, "middle", length(site ? site->runway_width : bed.width) + " wide");
+  words(0.5 * bed.setback, low, "end", "set-back " + length(bed.setback));
+  words(bed.setback + 0.5 * bed.length(), low, "start", "bed " + length(bed.length()) + " × " + length(bed.width));
+  if (!site) return out + "</svg></div>\n";
+  words(site->safety_length - 0.01 * ahead, middle - 0.5 * site->safety_width * scale + 18, "end",
+        "safety area " + length(site->safety_length) + " × " + length(site->safety_width));
+  // The runway points right; north is turned back by its heading.
+  const double cx = x(-before) + 24, cy = 44, turn = site->heading - 0.5 * std::numbers::pi;
+  const double dx = -std::sin(turn), dy = -std::cos(turn);
+  out += fmt::format(
+      "<path class=\"surface\" d=\"M{},{}L{},{}\"/><circle class=\"cg-mark\" cx=\"{}\" cy=\"{}\" r=\"3\"/>"
+      "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">N</text>",
+      pixel(cx - 18 * dx), pixel(cy - 18 * dy), pixel(cx + 18 * dx), pixel(cy + 18 * dy), pixel(cx + 18 * dx),
+      pixel(cy + 18 * dy), pixel(cx + 30 * dx), pixel(cy + 30 * dy + 4));
+  words(-before + 0.06 * ahead, 20, "start",
+        fmt::format("overrun towards {:.1f}° true from {:.5f}°, {:.5f}°", site->heading / units::deg,
+                    site->end.latitude / units::deg, site->end.longitude / units::deg));
   return out + "</svg></div>\n";
 }
 

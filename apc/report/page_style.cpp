@@ -81,14 +81,14 @@ td.n,th.n{text-align:right;white-space:nowrap}tr.part th{padding-top:14px;color:
 code{font:.84rem/1.5 ui-monospace,SFMono-Regular,"DejaVu Sans Mono",Menlo,monospace;overflow-wrap:anywhere}
 .two{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,480px),1fr));gap:0 44px}
 footer{max-width:1240px;margin:0 auto;padding:20px 20px 40px;color:var(--muted);font-size:.85rem}
-@media (max-width:560px){header,main{padding:0 16px}.cards{grid-template-columns:1fr 1fr}.card:last-child{grid-column:1/-1}
+@media (max-width:560px){header,main{padding:0 16px}.cards{grid-template-columns:1fr 1fr}.card:last-child:nth-child(odd){grid-column:1/-1}
 h1{font-size:1.3rem}svg.section text{font-size:17px}.reading{white-space:normal}th,td{padding-right:10px}}
 @media print{@page{size:A4;margin:13mm}:root{--bg:#fff;--card:#fff;--ink:#111;--muted:#444;--line:#bbb;--grid:#ddd;--foam:#e9dfc6;
 --foam-edge:#b9a878;--pavement:#4b5660;--open:#fff;--nose:#0b68ad;--main:#bd4f06;--third:#25805a;--fourth:#7a4bb0;--total:#111;--limit:#a31621;
 --good:#1e7145;--warn:#8a5300;--warn-bg:#fdf1dc;--bad:#a31621;color-scheme:light}
 body{font-size:9.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}header,main,footer{max-width:none;padding-left:0;padding-right:0}
 .bar-of-switches{display:none}.plots{grid-template-columns:1fr 1fr;gap:14px 20px}svg.section{min-width:0}svg.section text{font-size:17px}.wide{overflow:visible}
-.cards{grid-template-columns:repeat(5,1fr);gap:6px}.card{padding:7px 9px}.card b{font-size:1.1rem}figure,.card,tr,.warning{break-inside:avoid}
+.cards{grid-template-columns:repeat(auto-fit,minmax(31mm,1fr));gap:6px}.card{padding:7px 9px}.card b{font-size:1.1rem}figure,.card,tr,.warning{break-inside:avoid}
 h2{break-after:avoid;margin-top:16px}th,td{padding-top:3px;padding-bottom:3px}.cursor{display:none}.two{grid-template-columns:1fr}}
 )css";
 

@@ -23,7 +23,9 @@ tr.total th,tr.total td{border-top:2px solid var(--line)}.wrap{white-space:norma
 .tag.open{color:var(--warn);border-color:var(--warn)}.tag.good{color:var(--good);border-color:var(--good)}.tag.bad{color:var(--bad);border-color:var(--bad)}
 svg.plan{min-width:720px}svg.plan text{font-size:13px}
 .area{fill:none;stroke:var(--muted);stroke-dasharray:6 4}.runway{fill:var(--pavement);opacity:.35}.plan-bed{fill:var(--foam);stroke:var(--foam-edge)}
-@media (max-width:560px){figure.plot svg text{font-size:14px}svg.plan text{font-size:17px}}
+@media (max-width:560px){figure.plot svg text{font-size:14px}svg.plan text{font-size:17px}
+.requirements thead{display:none}.requirements tr{display:block;padding:9px 0;border-bottom:1px solid var(--line)}
+.requirements th,.requirements td{display:block;border:0;padding:1px 0}}
 @media print{.wide table{font-size:7.5pt;width:100%;min-width:0}.wide th,.wide td,.wide td.n,.wide th.n,table.files td,.wide tbody th{white-space:normal;padding-right:6px}
 .wide code{font-size:6.5pt;overflow-wrap:anywhere}.tag{white-space:normal;font-size:6.5pt}.rule{max-width:none}svg.plan{min-width:0}.reading{white-space:normal}
 table.files td:last-child{min-width:0}

@@ -18,7 +18,7 @@ nlohmann::json record_without_clock(const Folder& folder, const std::string& nam
 TEST(ReliabilityProgram, KilledItLosesNothingFinishedAndEndsWithTheSameNumbers) {
   const Folder folder;
   make_design(folder);
-  const std::vector<std::string> words{"reliability", "--design", "d/design.json", "--samples", "1200", "--quiet"};
+  const std::vector<std::string> words{"reliability", "--design", "d/design.json", "--samples", "600", "--quiet"};
   auto whole = words, torn = words;
   whole.insert(whole.end(), {"-o", "whole"});
   torn.insert(torn.end(), {"-o", "torn"});
@@ -33,14 +33,14 @@ TEST(ReliabilityProgram, KilledItLosesNothingFinishedAndEndsWithTheSameNumbers) 
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       const auto text = text_of(store);
       kept = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-      if (kept > before + 60) break;
+      if (kept > before + 40) break;
     }
     program.kill();
     program.wait();
     EXPECT_GT(kept, before);
   }
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "torn/reliability.json"));
-  ASSERT_LT(kept, 1200u) << "nothing was left to do: the test kills too late";
+  ASSERT_LT(kept, 600u) << "nothing was left to do: the test kills too late";
   std::ofstream(store, std::ios::app) << "0123456789abcdef half a li";  // as a write cut short would leave it
   const auto said = run(folder, torn);
   ASSERT_EQ(said.exit_code, 0) << said.err;
