@@ -12,6 +12,7 @@
 #include "apc/cli/commands.h"
 #include "apc/cli/fleet_inputs.h"
 #include "apc/report/design_record.h"
+#include "apc/simulation/together.h"
 
 namespace apc::cli {
 namespace {
@@ -78,8 +79,9 @@ void run_design(const Words& words, Settings& settings) {
 
   design::Problem problem;
   problem.fleet = fleet, problem.models = std::move(loaded.models);
-  problem.solver.rtol = rtol, problem.threads = words.threads;
-  problem.solve = simulation::simulate;
+  const simulation::Together solve(words.threads);  // trials asked for at the same time run side by side
+  problem.solver.rtol = rtol, problem.threads = solve.callers();
+  problem.solve = solve;
   std::unique_ptr<Progress> progress;
   if (!settings.quiet) progress = std::make_unique<Progress>("sizing the bed");
   std::mutex guard;

@@ -14,6 +14,7 @@
 #include "apc/cli/inputs.h"
 #include "apc/report/sha256.h"
 #include "apc/report/study_record.h"
+#include "apc/simulation/together.h"
 
 namespace apc::cli {
 namespace {
@@ -132,14 +133,14 @@ std::string identity(const Loaded& loaded, const Words& words) {
   return study::fingerprint(all + words.rtol);
 }
 
-study::Envelope envelope_of(const simulation::Model& model, const study::Axes& axes, study::Store& store,
-                            const study::SweepOptions& options) {
+study::Envelope envelope_of(const simulation::Model& model, const study::Axes& axes, const study::Solve& solve,
+                            study::Store& store, const study::SweepOptions& options) {
   study::EnvelopeInput input;
   input.model = model;
   input.overrun.braking = axes.brakings.front(), input.overrun.braking_in_bed = axes.braking_in_bed;
   for (int inches = 6; inches <= 30; inches += 2) input.depths.push_back(inches * units::in);
   for (int knots = 40; knots <= 80; knots += 10) input.speeds.push_back(knots * units::kt);
-  return study::envelope(input, simulation::simulate, store, options);
+  return study::envelope(input, solve, store, options);
 }
 
 void run_study(const Words& words, Settings& settings) {
@@ -154,7 +155,8 @@ void run_study(const Words& words, Settings& settings) {
   const auto start = std::chrono::steady_clock::now();
 
   study::SweepOptions options;
-  options.solver.rtol = rtol, options.threads = words.threads;
+  const simulation::Together solve(words.threads);  // overruns asked for at the same time run side by side
+  options.solver.rtol = rtol, options.threads = solve.callers();
   std::unique_ptr<Progress> progress;
   if (!settings.quiet) progress = std::make_unique<Progress>("overruns", static_cast<double>(cases.size()));
   std::mutex guard;
@@ -165,7 +167,7 @@ void run_study(const Words& words, Settings& settings) {
     };
   report::StudyRecord record;
   record.axes = axes;
-  record.results = study::run(loaded.models, cases, simulation::simulate, store, options);
+  record.results = study::run(loaded.models, cases, solve, store, options);
   options.finished = {};
   // One envelope store per aircraft: the cases of an envelope count their models from 0.
   if (words.envelope)
@@ -175,7 +177,7 @@ void run_study(const Words& words, Settings& settings) {
                       [&](const study::Envelope& each) { return each.aircraft == loaded.models[m].aircraft.name; });
       if (known) continue;
       study::Store own(folder / fmt::format("envelope_{}.store", m), id);
-      record.envelopes.push_back(envelope_of(loaded.models[m], axes, own, options));
+      record.envelopes.push_back(envelope_of(loaded.models[m], axes, solve, own, options));
     }
   if (words.tornado)
     for (std::size_t m = 0; m < loaded.models.size(); ++m) {
@@ -183,7 +185,7 @@ void run_study(const Words& words, Settings& settings) {
       centre.entry_speed = axes.speeds.back(), centre.braking = axes.brakings.front();
       centre.braking_in_bed = axes.braking_in_bed;
       study::Store own(folder / fmt::format("tornado_{}.store", m), id);
-      record.tornados.push_back(study::tornado(loaded.models[m], centre, simulation::simulate, own, options));
+      record.tornados.push_back(study::tornado(loaded.models[m], centre, solve, own, options));
     }
   progress.reset();
   record.models = std::move(loaded.models);

@@ -33,6 +33,8 @@ class Convoy {
   explicit Convoy(const Shape&, LaneBlock* block = make_lane_block());
   ~Convoy();
   const Shape& shape() const { return shape_; }
+  std::size_t width() const { return lanes_.size(); }
+  std::size_t running() const { return running_; }
   bool has_room() const { return running_ < lanes_.size(); }
   bool empty() const { return running_ == 0 && settled_.empty(); }
   /// The errand must fit lanes and have the convoy's shape. `ticket` comes back with its outturn.

@@ -84,6 +84,10 @@ GroundNumbersOfLane lane_numbers(const Plant& plant, const LevelTables& levels, 
           ground.alterations != nullptr, ground.following.bearing_gain,          ground.following.rolling_resistance};
 }
 
+unsigned lanes_of_this_processor() {
+  return __builtin_cpu_supports("x86-64-v4") ? 8 : __builtin_cpu_supports("x86-64-v3") ? 4 : 2;
+}
+
 LaneBlock* make_lane_block() {
   return __builtin_cpu_supports("x86-64-v4")   ? make_lane_block_v4()
          : __builtin_cpu_supports("x86-64-v3") ? make_lane_block_v3()

@@ -81,6 +81,7 @@ GroundNumbersOfLane lane_numbers(const Plant&, const LevelTables&, int group);
 
 /// For the widest instruction set this processor has; the caller owns it.
 LaneBlock* make_lane_block();
+unsigned lanes_of_this_processor();
 LaneBlock* make_lane_block_v2();
 LaneBlock* make_lane_block_v3();
 LaneBlock* make_lane_block_v4();

@@ -1,5 +1,6 @@
 /// The one call a study makes again and again. Studies, designs and reliability take it as an argument, so that tests
-/// can put a closed form in its place; the program passes `simulation::simulate`.
+/// can put a closed form in its place; the program passes `simulation::simulate`, or `simulation::Together` where many
+/// threads ask at the same time.
 #pragma once
 
 #include <functional>

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <random>
 
+#include "apc/base/parallel.h"
+#include "apc/base/require.h"
 #include "apc/simulation/simulate_each.h"
+#include "apc/simulation/together.h"
 #include "apc/study/result_text.h"
 #include "tests/support/simulation_models.h"
 
@@ -110,6 +113,19 @@ TEST_F(SideBySide, HasTheSameBitsInEveryInstructionSetOfThisProcessor) {
   run(make_lane_block_v2);
   if (__builtin_cpu_supports("x86-64-v3")) run(make_lane_block_v3);
   if (__builtin_cpu_supports("x86-64-v4")) run(make_lane_block_v4);
+}
+
+TEST_F(SideBySide, HasTheSameBitsForCallersWhoWaitForOneAtATime) {
+  const Together solve(2);
+  std::vector<std::string> all(errands_.size());
+  parallel_for(errands_.size(), solve.callers(), [&](std::size_t i) {
+    const auto& each = errands_[i];
+    all[i] = all_of(solve(*each.model, *each.overrun, *each.options));
+  });
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i], alone_[i]) << i;
+  auto untrimmed = overruns_[0];
+  untrimmed.cg_behind_nose_gear = 100.0;
+  EXPECT_THROW(solve(models_[0], untrimmed, options_), InputError);
 }
 
 TEST_F(SideBySide, ARunThatFailsFailsAloneWithItsOwnWords) {
