@@ -110,15 +110,15 @@ bool fits_lanes(const Errand& errand) {
 }
 
 struct Convoy::Lane {
-  Lane(const Errand& asked, std::size_t of, LaneBlock& block, int lane)
+  Lane(const Errand& asked, std::size_t of, Convoy& convoy, LaneBlock& block, int lane)
       : errand(asked),
         ticket(of),
         prepared(*asked.model, *asked.overrun, *asked.options),
-        levels(prepared.plant),
+        levels(convoy.levels_of(prepared.plant)),
         around(surroundings_at_entry(prepared.plant)),
         solver(block, lane, prepared.plant, around, fast_tolerance(prepared.plant) * asked.options->rtol),
         course(prepared.plant, around, solver, prepared.observer, asked.options->time_limit) {
-    block.put(lane, prepared.plant, levels, around);
+    block.put(lane, prepared.plant, *levels, around);
     course.begin(prepared.start.state);
   }
 
@@ -126,7 +126,7 @@ struct Convoy::Lane {
   std::size_t ticket;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
   Prepared prepared;
-  LevelTables levels;
+  std::shared_ptr<const LevelTables> levels;
   Surroundings around;
   LaneSolver solver;
   Course<LaneSolver> course;
@@ -140,6 +140,13 @@ Convoy::Convoy(const Shape& shape, LaneBlock* block) : shape_(shape), block_(blo
   lanes_.resize(static_cast<std::size_t>(block_->width()));
 }
 Convoy::~Convoy() = default;
+
+std::shared_ptr<const LevelTables> Convoy::levels_of(const Plant& plant) {
+  for (const auto& each : levels_)
+    if (each->serve(plant)) return each;
+  if (levels_.size() > 2 * widest) std::erase_if(levels_, [](const auto& each) { return each.use_count() == 1; });
+  return levels_.emplace_back(std::make_shared<const LevelTables>(plant));
+}
 
 void Convoy::settle(std::size_t lane, Outturn outturn) {
   settled_.push_back({lanes_[lane]->ticket, std::move(outturn)});
@@ -163,7 +170,7 @@ void Convoy::add(const Errand& errand, std::size_t ticket) {
   std::size_t lane = 0;
   while (lanes_[lane]) ++lane;
   try {
-    lanes_[lane] = std::make_unique<Lane>(errand, ticket, *block_, static_cast<int>(lane));
+    lanes_[lane] = std::make_unique<Lane>(errand, ticket, *this, *block_, static_cast<int>(lane));
     ++running_;
   } catch (...) {
     block_->take_out(static_cast<int>(lane));

@@ -50,6 +50,7 @@ class Convoy {
 
  private:
   struct Lane;
+  std::shared_ptr<const LevelTables> levels_of(const Plant&);
   void settle(std::size_t lane, Outturn);
   template <class Work>
   bool guarded(std::size_t lane, const Work&);
@@ -59,6 +60,7 @@ class Convoy {
   std::vector<std::unique_ptr<Lane>> lanes_;  ///< null: free
   std::size_t running_ = 0;
   std::vector<Settled> settled_;
+  std::vector<std::shared_ptr<const LevelTables>> levels_;  ///< shared by lanes of one bed: less to keep in caches
 };
 
 }  // namespace apc::simulation

@@ -70,11 +70,30 @@ RutLog::Between lane_rut(const Surroundings& around, int leader, double distance
   return around.ruts[static_cast<std::size_t>(leader)].between(distance, near);
 }
 
+namespace {
+
+bool is_level(const Plant& plant, const Group& group) {
+  return plant.profile.last_piece().slope == 0.0 && !group.ground.alterations;
+}
+
+}  // namespace
+
 LevelTables::LevelTables(const Plant& plant) : depth(plant.profile.last_piece().depth) {
   for (const auto& group : plant.groups) {
-    const bool level = plant.profile.last_piece().slope == 0.0 && !group.ground.alterations;
-    coefficients.push_back(level ? loadtables::level_coefficients(*group.ground.table, depth) : std::vector<double>{});
+    coefficients.push_back(is_level(plant, group) ? loadtables::level_coefficients(*group.ground.table, depth)
+                                                  : std::vector<double>{});
+    of_.push_back(*group.ground.table);
   }
+}
+
+bool LevelTables::serve(const Plant& plant) const {
+  if (plant.profile.last_piece().depth != depth || plant.groups.size() != of_.size()) return false;
+  for (std::size_t g = 0; g < of_.size(); ++g) {
+    const auto& group = plant.groups[g];
+    if (&group.ground.table->data() != &of_[g].data() || is_level(plant, group) == coefficients[g].empty())
+      return false;
+  }
+  return true;
 }
 
 GroundNumbersOfLane lane_numbers(const Plant& plant, const LevelTables& levels, int group) {

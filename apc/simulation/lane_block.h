@@ -23,8 +23,13 @@ Shape shape_of(const Model&, const Overrun&);
 /// Every group's table along the bed's last piece, where that is level; empty otherwise.
 struct LevelTables {
   explicit LevelTables(const Plant&);
+  /// Whether these are another plant's too.
+  bool serve(const Plant&) const;
   double depth = 0.0;
   std::vector<std::vector<double>> coefficients;
+
+ private:
+  std::vector<loadtables::LoadTable> of_;  ///< kept, so that no other table comes to lie in its place
 };
 
 class LaneBlock {
