@@ -11,7 +11,10 @@
 #include "apc/base/units.h"
 #include "apc/cli/commands.h"
 #include "apc/cli/fleet_inputs.h"
+#include "apc/effects/catalogue.h"
+#include "apc/learning/diagnosis_json.h"
 #include "apc/report/design_record.h"
+#include "apc/report/sha256.h"
 #include "apc/simulation/together.h"
 
 namespace apc::cli {
@@ -22,7 +25,7 @@ namespace fs = std::filesystem;
 struct Words {
   std::string fleet, objective = "length", criterion, length, rtol = "1e-7", pareto;
   Choice choice;
-  fs::path out;
+  fs::path out, effects;
   unsigned threads = 0;
 };
 
@@ -55,6 +58,23 @@ std::vector<double> read_margins(const std::string& text) {
   return out;
 }
 
+/// Every case of the fleet with the effects that were learned; told when a case lies outside what they were learned on.
+void add_effects(const fs::path& file, design::Fleet& fleet, FleetModels& loaded) {
+  const auto learned = learning::load_overlay(file, effects::catalogue());
+  const auto range = learning::learned_range(file);
+  bool outside = false;
+  for (auto& each : fleet.cases) {
+    each.overrun.alterations.effects = learned;
+    outside |= each.overrun.entry_speed < range.slowest - 0.5 || each.overrun.entry_speed > range.fastest + 0.5;
+  }
+  if (outside)
+    std::fprintf(stderr,
+                 "warning: %s was learned on runs of %.0f to %.0f kt; cases at other speeds extrapolate its effects\n",
+                 file.c_str(), range.slowest / units::kt, range.fastest / units::kt);
+  loaded.files.push_back({"model", file.string(), report::sha256(read_text(file)), "learned"});
+  loaded.identity += loaded.files.back().sha256;
+}
+
 void run_design(const Words& words, Settings& settings) {
   design::SizeOptions size;
   size.objective = read_objective(words.objective);
@@ -76,12 +96,13 @@ void run_design(const Words& words, Settings& settings) {
             "\" is no length of a bed");
   }
   auto loaded = load_fleet_models(fleet, note("fleet", fleet_file, fleet.source), words.choice);
+  if (!words.effects.empty()) add_effects(words.effects, fleet, loaded);
 
   design::Problem problem;
   problem.fleet = fleet, problem.models = std::move(loaded.models);
   const simulation::Together solve(words.threads);  // trials asked for at the same time run side by side
   problem.solver.rtol = rtol, problem.threads = solve.callers();
-  problem.solve = solve;
+  problem.solve = solve, problem.sensitivity = simulation::sensitivity;
   std::unique_ptr<Progress> progress;
   if (!settings.quiet) progress = std::make_unique<Progress>("sizing the bed");
   std::mutex guard;
@@ -92,7 +113,8 @@ void run_design(const Words& words, Settings& settings) {
     };
 
   const auto folder = words.out.empty() ? fs::path("out") / ("design_" + fleet_file.stem().string()) : words.out;
-  study::Store store(folder / "design.store", study::fingerprint(loaded.identity + APC_VERSION + words.rtol));
+  study::Store store(folder / "design.store",
+                     study::fingerprint(loaded.identity + APC_VERSION + words.rtol + "windows and edges"));
   const auto start = std::chrono::steady_clock::now();
   report::DesignRecord record;
   record.design = design::size_bed(problem, store, size);
@@ -143,6 +165,8 @@ void add_design(CLI::App& program, Settings& settings) {
   command->add_option("--loads", words->choice.loads, "folder of load tables (default: the shipped ones)")
       ->type_name("DIR");
   command->add_option("--tires", words->choice.tires, "tire library")->type_name("FILE");
+  command->add_option("--model", words->effects, "effects added to the model: what apc add wrote (apc-model/1)")
+      ->type_name("FILE");
   command->add_option("--rtol", words->rtol, "relative tolerance of the integration (default 1e-7)")
       ->type_name("NUMBER");
   command->add_option("--threads", words->threads, "default: all")->type_name("N");

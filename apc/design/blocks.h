@@ -12,30 +12,36 @@ struct Blocks {
   std::vector<double> depth;  ///< m, per row from the leading edge
 };
 
-/// Rows that cover `length`. A row gets step · ⌊h/step + share⌋ of the depth h at its middle: `share` 0.5 rounds to the
-/// nearest step, 0 down. Never less than one step, never outside the space's depths behind the ramp.
-Blocks blocks_of(const BedSpace&, const Profile&, double length, double share);
+/// A depth h becomes step · ⌊h/step + share⌋: `share` 0.5 rounds to the nearest step, 0 down, 1 up. It may go straight
+/// from `near` at the leading edge to `far` at `reach` and beyond.
+struct Rounding {
+  double near = 0.5, far = 0.5, reach = 1.0;
+};
+
+/// Rows that cover `length`, each of the rounded depth at its middle. Never less than one step, never deeper than the
+/// space allows.
+Blocks blocks_of(const BedSpace&, const Profile&, double length, const Rounding&);
 
 /// The bed these rows make; rows in a line are one piece of the profile.
 bed::Bed bed_of(const BedSpace&, const Blocks&);
 
-/// All cases of the fleet in one bed, continued beyond its end at its last depth when `continued`.
-enum class End { as_built, continued };
-std::vector<simulation::Result> run_fleet(const Problem&, const bed::Bed&, End, const simulation::Options&);
+/// Steepest change of depth from row to row, over the allowed slope and one step of depth, which rounding may add.
+double slope_use(const BedSpace&, const Blocks&);
 
 /// What is left of the optimum after building it.
 struct Built {
   Blocks blocks;
   bed::Bed bed;
-  double share = 0.5;                       ///< rounding that kept every limit
+  Rounding rounding;                        ///< that kept every limit
   std::vector<simulation::Result> results;  ///< one per case, by the reference method, with history
   std::vector<Figures> figures;
   double worst_use = 0.0;  ///< largest use of any load limit; ≤ 1 when the limits are kept
   Constraint worst;        ///< the limit it belongs to
 };
 
-/// Tries roundings from the nearest step downwards and takes the shortest bed that keeps all limits; when none does,
-/// the one that oversteps least. `length` 0: as long as the longest stop needs, in whole rows; otherwise that length.
-Built build(const Problem&, const Profile&, double length, double speed_factor);
+/// Rounds to the nearest step; where that breaks a limit, tries other roundings and takes the shortest bed that keeps
+/// all. Then raises rows by a step where that shortens it. When no rounding keeps the limits, takes the one that
+/// oversteps least. `length` 0: as long as the longest stop needs, in whole rows; otherwise that length.
+Built build(Evaluator&, const Profile&, double length, double speed_factor);
 
 }  // namespace apc::design

@@ -57,20 +57,25 @@ struct Contact {
   Eigen::VectorXd normal;
   Constraint constraint;
   double use = 0.0;
+  Eigen::Index row = 0;  // of the Jacobian; 0 = a bound
 };
 
 std::vector<Contact> contacts(const Program& program, const Eigen::VectorXd& z, const Eigen::VectorXd& values,
-                              const Eigen::MatrixXd& slopes, double near) {
+                              const Eigen::MatrixXd& slopes, const Eigen::MatrixXd& others, double near) {
   std::vector<Contact> out;
   for (std::size_t i = 0; i < program.constraints.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i) + 1;
-    if (values[row] >= -near) out.push_back({slopes.row(row).transpose(), program.constraints[i], 1.0 + values[row]});
+    if (values[row] < -near) continue;
+    // A peak that two places share has no gradient; those places are in the programme for themselves.
+    const double kink = (slopes.row(row) - others.row(row)).cwiseAbs().maxCoeff();
+    if (kink > 0.02 * slopes.row(row).cwiseAbs().maxCoeff() && program.constraints[i].window >= 0) continue;
+    out.push_back({slopes.row(row).transpose(), program.constraints[i], 1.0 + values[row], row});
   }
-  for (Eigen::Index j = 0; j + 1 < z.size(); ++j)
+  for (Eigen::Index j = 0; j < z.size(); ++j)
     for (const double side : {-1.0, 1.0}) {
       const double gap = side < 0 ? z[j] - program.low[j] : program.high[j] - z[j];
       if (gap > near) continue;
-      Contact contact{Eigen::VectorXd::Zero(z.size()), {}, 1.0};
+      Contact contact{Eigen::VectorXd::Zero(z.size()), {}, 1.0, 0};
       contact.normal[j] = side;
       contact.constraint.kind = Kind::bound;
       contact.constraint.what =
@@ -87,23 +92,26 @@ void examine(const Program& program, const Eigen::VectorXd& z, const OptimiserOp
   const auto values = program.at(z);
   const auto forward = jacobian(program, z, options.step, Differences::forward);
   const auto central = jacobian(program, z, 2 * options.step, Differences::central);
-  const auto touching = contacts(program, z, values, central, 2e-3);
+  const auto touching = contacts(program, z, values, central, forward, 2e-3);
   Eigen::MatrixXd normals(z.size(), static_cast<Eigen::Index>(touching.size()));
   for (std::size_t i = 0; i < touching.size(); ++i) normals.col(static_cast<Eigen::Index>(i)) = touching[i].normal;
   const Eigen::VectorXd descent = -central.row(0).transpose();
   const Eigen::VectorXd multipliers = non_negative_least_squares(normals, descent);
   certificate.stationarity = (descent - normals * multipliers).norm() / std::max(descent.norm(), 1e-30);
 
-  // Gradients that matter: of the objective and of the constraints in contact.
+  // Gradients that matter: of the objective and of the constraints that pull.
   double error = (forward.row(0) - central.row(0)).cwiseAbs().maxCoeff(), scale = central.row(0).cwiseAbs().maxCoeff();
-  for (std::size_t i = 0; i < program.constraints.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i) + 1;
-    if (values[row] < -2e-3) continue;
-    error = std::max(error, (forward.row(row) - central.row(row)).cwiseAbs().maxCoeff());
-    scale = std::max(scale, central.row(row).cwiseAbs().maxCoeff());
+  for (std::size_t i = 0; i < touching.size(); ++i) {
+    if (touching[i].row == 0 || multipliers[static_cast<Eigen::Index>(i)] <= 0) continue;
+    error = std::max(error, (forward.row(touching[i].row) - central.row(touching[i].row)).cwiseAbs().maxCoeff());
+    scale = std::max(scale, central.row(touching[i].row).cwiseAbs().maxCoeff());
   }
   certificate.gradient_error = error / std::max(scale, 1e-30);
 
+  double slack = 0.0;
+  for (std::size_t i = 0; i < touching.size(); ++i)
+    slack += multipliers[static_cast<Eigen::Index>(i)] * std::abs(touching[i].use - 1.0);
+  certificate.gap = slack / std::max(std::abs(values[0]), 1e-30);
   double total = 0.0;  // of constraints; bounds of variables are not what a designer can bargain about
   for (std::size_t i = 0; i < touching.size(); ++i)
     if (touching[i].constraint.kind != Kind::bound) total += multipliers[static_cast<Eigen::Index>(i)];

@@ -6,6 +6,8 @@
 /// The multipliers λ come from a non-negative least-squares fit (Lawson & Hanson 1974); what is left of ∇f is reported.
 #pragma once
 
+#include <limits>
+
 #include "apc/design/optimise.h"
 
 namespace apc::design {
@@ -18,11 +20,15 @@ struct Active {
 };
 
 struct Certificate {
-  Optimum first, second;      ///< by two methods from two starts
+  Optimum first, second;      ///< by two methods; the first is the best of several starts
+  std::vector<double> ends;   ///< objectives the first method reached from each of its starts; NaN = none feasible
   double difference = 0.0;    ///< of the objectives, relative
   double stationarity = 0.0;  ///< |∇f + Σ λ∇g| / |∇f|; 0 at a perfect optimum
   double gradient_error =
       0.0;  ///< forward against central differences over twice the step, relative to the largest entry
+  /// central differences against sensitivities carried along the run, of active constraints; NaN = not checked
+  double sensitivity_error = std::numeric_limits<double>::quiet_NaN();
+  double gap = 0.0;  ///< Σ λ |g| / |f|: what the constraints' slack at the optimum could still bring, to first order
   std::vector<Active> active;  ///< heaviest first
   bool agreed = false;         ///< difference ≤ 0.5 % and both feasible
 };

@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 #include <nlopt.hpp>
+#include <stdexcept>
 
 namespace apc::design {
 
@@ -117,6 +118,8 @@ Optimum optimise(const Program& program, Method method, const Eigen::VectorXd& s
     search.best.ended = ending(nlopt::ROUNDOFF_LIMITED);
   } catch (const nlopt::forced_stop&) {
     search.best.ended = "stopped";
+  } catch (const std::runtime_error& error) {
+    search.best.ended = error.what();  // the best point met still counts
   }
   if (search.failure) std::rethrow_exception(search.failure);
   return search.best;

@@ -18,13 +18,13 @@ std::vector<FrontPoint> pareto_front(const Problem& problem, study::Store& store
   Evaluator evaluator(problem, store);
   std::vector<FrontPoint> all;
   for (const auto objective : {Objective::length, Objective::volume}) {
-    Aim aim{objective, start.profile.reference, 0.0, {}, {}, {}, 0.0, false};
+    Aim aim{objective, start.profile.reference, 0.0, {}, {}, 0.0, false};
     aim.cases.resize(problem.fleet.cases.size());
     std::iota(aim.cases.begin(), aim.cases.end(), std::size_t{0});
     auto z = point_of(problem.fleet.bed, start.profile, start.length / start.profile.reference);
     for (const double margin : margins) {
       aim.reserve = 1.0 - 1.0 / (1.0 + margin);
-      const auto best = optimise(make_program(evaluator, aim, Peaks::watched), Method::slsqp, z, options);
+      const auto best = optimise(make_program(evaluator, aim), Method::slsqp, z, options);
       if (!best.feasible) continue;
       z = best.z;
       FrontPoint point{margin, best.z[best.z.size() - 1] * aim.reference, 0.0, objective,

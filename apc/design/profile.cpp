@@ -32,17 +32,16 @@ double Profile::section(double length) const {
   return area;
 }
 
-std::vector<double> watched(const Profile& profile) {
-  std::vector<double> corners{0.0}, out;
-  for (const double at : profile.stations()) corners.push_back(at);
+std::vector<double> window_edges(const Profile& profile, double width) {
+  auto corners = profile.stations();
+  corners.insert(corners.begin(), 0.0);
   corners.push_back(profile.reference);
-  // As many places to every piece as make them about 6 m apart over the whole reference length: their number must not
-  // change with the design.
+  // The number of windows must not change with the design, so the ramp's length does not count.
   const auto pieces = static_cast<double>(corners.size() - 1);
-  const int each = std::max(4, static_cast<int>(std::ceil(profile.reference / pieces / 6.0)));
+  const int each = std::max(1, static_cast<int>(std::ceil(profile.reference / pieces / width)));
+  std::vector<double> out{0.0};
   for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-    for (int place = 1; place <= each; ++place)
-      out.push_back(corners[i] + (corners[i + 1] - corners[i]) * place / each);
+    for (int part = 1; part <= each; ++part) out.push_back(corners[i] + (corners[i + 1] - corners[i]) * part / each);
   return out;
 }
 

@@ -20,8 +20,9 @@ struct Profile {
   double section(double length) const;
 };
 
-/// Where the nose gear's drag is watched: about every 6 m, the same number of places in every piece of the profile.
-std::vector<double> watched(const Profile&);
+/// Edges of the windows in which loads are watched: every piece of the profile in as many equal parts as make them at
+/// most `width` wide, by a number that depends on the space of beds and the reference length alone.
+std::vector<double> window_edges(const Profile&, double width);
 
 /// The bed of this profile cut at `length`.
 bed::Bed bed_of(const BedSpace&, const Profile&, double length);

@@ -51,19 +51,19 @@ namespace {
 /// One point's values appended in the order of the names.
 class Writer {
  public:
-  Writer(const Evaluator& evaluator, const Aim& aim, Peaks peaks) : evaluator_(evaluator), aim_(aim), peaks_(peaks) {}
+  Writer(const Evaluator& evaluator, const Aim& aim) : evaluator_(evaluator), aim_(aim) {}
 
   std::vector<Constraint> names() const {
     const auto& problem = evaluator_.problem();
     std::vector<Constraint> out;
     const auto like = profile_of(problem.fleet.bed, Eigen::VectorXd::Zero(problem.fleet.bed.nodes + 2), aim_.reference);
-    const auto places = static_cast<int>(watched(like).size());
+    const auto watch = watch_of(like);
     for (const std::size_t k : aim_.cases) {
       if (!aim_.feasibility) out.push_back({Kind::stop, k, "", -1, ""});
       for (const auto& each : load_constraints(problem.fleet, k, problem.models[k])) {
-        if (!by_place(each)) out.push_back(each);
-        if (by_place(each))
-          for (int place = 0; place < places; ++place) out.push_back({Kind::drag, k, "nose", place, ""});
+        const auto count = static_cast<int>(windows_of(each, watch));
+        for (int window = 0; window < count; ++window)
+          out.push_back({each.kind, k, each.gear, count > 1 ? window : -1, ""});
       }
     }
     const auto slope = [&](const std::string& what) { out.push_back({Kind::slope, 0, "", -1, what}); };
@@ -74,20 +74,14 @@ class Writer {
   }
 
   Eigen::VectorXd values(const Profile& profile, double extra, const std::vector<Figures>& cases) const {
-    const auto& problem = evaluator_.problem();
     const double slack = aim_.feasibility ? extra : -aim_.reserve;
     std::vector<double> out{objective(profile, extra)};
     for (std::size_t i = 0; i < cases.size(); ++i) {
       if (!aim_.feasibility) out.push_back(stop(i, cases[i], extra));
-      const double allowed = aim_.allowance.empty() ? 0.0 : aim_.allowance[i];
-      const auto names = load_constraints(problem.fleet, aim_.cases[i], problem.models[aim_.cases[i]]);
-      for (std::size_t c = 0; c < names.size(); ++c) {
-        if (!by_place(names[c])) out.push_back(cases[i].use[c] - 1.0 - slack);
-        if (by_place(names[c]))
-          for (const double use : cases[i].nose_use) out.push_back(use - 1.0 + allowed - slack);
-      }
+      for (const auto& windows : cases[i].windows)
+        for (const double use : windows) out.push_back(use - 1.0 - slack);
     }
-    const auto& space = problem.fleet.bed;
+    const auto& space = evaluator_.problem().fleet.bed;
     out.push_back(profile.depth.front() / profile.ramp / space.maximum_slope - 1.0);
     const auto at = profile.stations();
     for (std::size_t j = 0; j + 1 < at.size(); ++j) {
@@ -106,9 +100,6 @@ class Writer {
   }
 
  private:
-  bool by_place(const Constraint& each) const {
-    return peaks_ == Peaks::watched && each.kind == Kind::drag && each.gear == "nose";
-  }
   double objective(const Profile& profile, double extra) const {
     if (aim_.feasibility || aim_.objective != Objective::volume)
       return aim_.objective == Objective::speed && !aim_.feasibility ? -extra : extra;
@@ -123,7 +114,6 @@ class Writer {
 
   const Evaluator& evaluator_;
   Aim aim_;
-  Peaks peaks_;
 };
 
 /// Range of z_t.
@@ -131,14 +121,17 @@ std::pair<double, double> extra_range(const Evaluator& evaluator, const Aim& aim
   if (aim.feasibility) return {-1.0, 20.0};
   if (aim.objective == Objective::speed) return {0.3, 1.5};
   if (aim.objective == Objective::minimax) return {0.8, 10.0};
-  return {0.2, evaluator.reach() / aim.reference};
+  // The least volume may be had far beyond the space; how long the shortest bed is, is asked without that limit.
+  const double longest =
+      aim.objective == Objective::volume ? evaluator.problem().fleet.bed.maximum_length : evaluator.reach();
+  return {std::min(0.2, 0.5 * longest / aim.reference), longest / aim.reference};
 }
 
 }  // namespace
 
-Program make_program(Evaluator& evaluator, const Aim& aim, Peaks peaks) {
+Program make_program(Evaluator& evaluator, const Aim& aim) {
   const auto& space = evaluator.problem().fleet.bed;
-  const auto writer = Writer(evaluator, aim, peaks);
+  const auto writer = Writer(evaluator, aim);
   const auto size = point_of(space, profile_of(space, Eigen::VectorXd::Zero(space.nodes + 2), 100.0), 0.0).size();
   Program program{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Ones(size), writer.names(), {}, {}};
   std::tie(program.low[size - 1], program.high[size - 1]) = extra_range(evaluator, aim);
@@ -177,6 +170,29 @@ Program make_program(Evaluator& evaluator, const Aim& aim, Peaks peaks) {
     return evaluate(points, near, here);
   };
   return program;
+}
+
+Program nearby(const Program& whole, const std::vector<Eigen::VectorXd>& points, double near) {
+  const auto all = whole.evaluate(points);
+  std::vector<Eigen::Index> rows{0};
+  Program part{whole.low, whole.high, {}, {}, {}};
+  for (std::size_t i = 0; i < whole.constraints.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i) + 1;
+    const auto kind = whole.constraints[i].kind;
+    const bool kept = kind == Kind::stop || kind == Kind::slope ||
+                      std::any_of(all.begin(), all.end(), [&](const auto& values) { return values[row] > -near; });
+    if (kept) rows.push_back(row), part.constraints.push_back(whole.constraints[i]);
+  }
+  const auto chosen = [rows](const std::vector<Eigen::VectorXd>& values) {
+    std::vector<Eigen::VectorXd> out;
+    for (const auto& each : values) out.push_back(each(rows));
+    return out;
+  };
+  part.evaluate = [chosen, of = whole.evaluate](const auto& z) { return chosen(of(z)); };
+  part.evaluate_near = [chosen, of = whole.evaluate_near](const auto& z, const auto& trials) {
+    return chosen(of(z, trials));
+  };
+  return part;
 }
 
 Eigen::MatrixXd jacobian(const Program& program, const Eigen::VectorXd& z, double step, Differences kind) {

@@ -8,7 +8,8 @@
 ///   minimax  z_t = t,                 f = t            x_k ≤ t x*_k      (x*_k: the bed that is best for case k alone)
 ///   speed    z_t = s,                 f = −s           x_k(s v_k) ≤ L    (L given)
 ///
-/// with x_k the stop distance of case k, and for all: use ≤ 1 of every load limit, |slopes| ≤ the allowed one.
+/// with x_k the stop distance of case k, and for all: use ≤ 1 of every load limit in every window of the way
+/// (windows.h), |slopes| ≤ the allowed one.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,19 +24,12 @@ namespace apc::design {
 enum class Objective { length, volume, minimax, speed };
 const char* text(Objective);
 
-/// How the nose gear's drag enters.
-enum class Peaks {
-  watched,  ///< at fixed places of the bed: smooth in the design, but a peak between two places is missed
-  exact,    ///< the peak wherever it is: right, but with kinks where two peaks are equal
-};
-
 struct Aim {
   Objective objective = Objective::length;
   double reference = 0.0;          ///< m, length by which stations and lengths are scaled
   double length = 0.0;             ///< m, given; for Objective::speed
   std::vector<std::size_t> cases;  ///< of the fleet
   std::vector<double> alone;       ///< m, x*_k per entry of `cases`; for Objective::minimax
-  std::vector<double> allowance;   ///< per case, off the nose drag's limit at watched places: for peaks between them
   double reserve = 0.0;            ///< taken off every load limit, as a share: a margin asked for
   bool feasibility = false;        ///< f = s, g = use − 1 − s: the least overstep of the limits that can be reached
 };
@@ -53,7 +47,11 @@ struct Program {
   Eigen::VectorXd at(const Eigen::VectorXd& z) const { return evaluate({z}).front(); }
 };
 
-Program make_program(Evaluator&, const Aim&, Peaks);
+Program make_program(Evaluator&, const Aim&);
+
+/// The programme with the constraints only that come within `near` of their limit at one of the points; those without a
+/// load stay. What it leaves out must be looked at again where it ends.
+Program nearby(const Program&, const std::vector<Eigen::VectorXd>& points, double near);
 
 /// Between points of the programme and beds. `extra` is z_t.
 Eigen::VectorXd point_of(const BedSpace&, const Profile&, double extra);

@@ -1,25 +1,31 @@
 #include "apc/design/size_bed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "apc/base/parallel.h"
+#include "apc/base/progress.h"
+#include "apc/base/require.h"
+#include "apc/design/gradient_check.h"
 #include "apc/study/critical_speed.h"
+#include "apc/study/result_text.h"
 
 namespace apc::design {
 namespace {
 
-/// A start unlike the first one: a shorter ramp, depths falling from the first node to the last.
-Profile other_start(const BedSpace& space, const Profile& first) {
-  auto other = first;
-  other.ramp = 0.5 * (first.ramp + space.minimum_ramp);
-  for (std::size_t j = 0; j < other.depth.size(); ++j) {
-    const double share = 0.9 - 0.15 * static_cast<double>(j) / static_cast<double>(other.depth.size());
-    other.depth[j] = std::max(space.minimum_depth, share * first.depth[j]);
+/// Starts unlike one another: the given one; a shorter ramp and depths that fall; and the greatest depths from the
+/// middle on, where only heavy aircraft roll.
+std::vector<Profile> starts(const BedSpace& space, const Profile& first) {
+  auto falling = first, deep = first;
+  falling.ramp = 0.5 * (first.ramp + space.minimum_ramp);
+  const auto nodes = first.depth.size();
+  for (std::size_t j = 0; j < nodes; ++j) {
+    const double share = 0.9 - 0.15 * static_cast<double>(j) / static_cast<double>(nodes);
+    falling.depth[j] = std::max(space.minimum_depth, share * first.depth[j]);
+    if (2 * j + 1 >= nodes) deep.depth[j] = space.maximum_depth;
   }
-  return other;
+  return {first, falling, deep};
 }
 
 double relative_difference(double a, double b) { return std::abs(a - b) / std::max({std::abs(a), std::abs(b), 1e-30}); }
@@ -33,50 +39,54 @@ bool better(const Optimum& a, const Optimum& b) {
 
 namespace {
 
-/// Largest nose drag of each case over its limit, minus 1, among the constraints of a programme.
-std::vector<double> nose_peaks(const Program& program, const Aim& aim, const Eigen::VectorXd& z) {
-  const auto values = program.at(z);
-  std::vector<double> out(aim.cases.size(), -1.0);
-  for (std::size_t c = 0; c < program.constraints.size(); ++c) {
-    const auto& each = program.constraints[c];
-    if (each.kind != Kind::drag || each.gear != "nose") continue;
-    const auto at = std::find(aim.cases.begin(), aim.cases.end(), each.fleet_case) - aim.cases.begin();
-    auto& peak = out[static_cast<std::size_t>(at)];
-    peak = std::max(peak, values[static_cast<Eigen::Index>(c) + 1]);
-  }
-  return out;
-}
-
-/// The optimum by one method on watched places. What the places miss of each case's true peak is taken off its limit,
-/// and the search repeated, until that no longer changes.
-Optimum by_gradients(Evaluator& evaluator, const Aim& asked, Method method, Eigen::VectorXd start,
-                     const OptimiserOptions& options, std::vector<double>& allowance) {
-  const auto exact = make_program(evaluator, asked, Peaks::exact),
-             plain = make_program(evaluator, asked, Peaks::watched);
+/// One search, with the constraints only that matter on its way. Where it ends all are looked at; those it broke join
+/// and it goes on.
+Optimum search(const Program& program, Method method, Eigen::VectorXd start, const OptimiserOptions& options) {
+  std::vector<Eigen::VectorXd> seen;
   Optimum best;
   int evaluations = 0;
-  auto aim = asked;
   for (int round = 0; round < 4; ++round) {
-    aim.allowance = allowance;
-    auto next = optimise(make_program(evaluator, aim, Peaks::watched), method, start, options);
-    if (next.z.size() == 0) break;
-    evaluations += next.evaluations, start = next.z;
-    const auto values = exact.at(next.z);
+    seen.push_back(start);
+    auto next = optimise(nearby(program, seen, 0.4), method, start, options);
+    evaluations += next.evaluations;
+    const auto values = program.at(next.z);
     next.overstep = values.tail(values.size() - 1).maxCoeff();
-    next.feasible = next.feasible && next.overstep <= 1e-3;
+    const bool whole = !next.feasible || next.overstep <= options.tolerance;
+    next.feasible = next.overstep <= options.tolerance;
     if (best.z.size() == 0 || better(next, best)) best = next;
-    if (asked.feasibility) break;
-    const auto true_peaks = nose_peaks(exact, asked, next.z), seen = nose_peaks(plain, asked, next.z);
-    double change = 0.0;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      const double missed = std::max(0.0, true_peaks[i] - seen[i]);
-      if (true_peaks[i] > -0.05) change = std::max(change, std::abs(missed - allowance[i]));
-      allowance[i] = missed;
-    }
-    if (change < 5e-4) break;
+    if (whole) break;
+    start = next.z;
   }
   best.evaluations = evaluations;
   return best;
+}
+
+/// From the other's end half-way back to where this one ended.
+Optimum again(const Program& program, const Optimum& worse, const Optimum& other, const OptimiserOptions& options) {
+  auto next = search(program, worse.method, 0.5 * (worse.z + other.z), options);
+  next.evaluations += worse.evaluations;
+  if (better(next, worse)) return next;
+  auto same = worse;
+  same.evaluations = next.evaluations;
+  return same;
+}
+
+/// A search ends when the objective settles, which may be before the conditions of an optimum are met: the better end
+/// is searched from again, without that ease, as long as they are not.
+void polish(const Program& program, OptimiserOptions options, Certificate& certificate) {
+  options.ftol = 1e-9, options.xtol = 1e-8, options.evaluations = 60;
+  auto& best = better(certificate.second, certificate.first) ? certificate.second : certificate.first;
+  if (!best.feasible) return;
+  for (int round = 0; round < 2; ++round) {
+    Certificate now;
+    examine(program, best.z, options, now);
+    if (now.stationarity < 0.02) return;
+    const auto next = search(program, Method::slsqp, best.z, options);
+    const int evaluations = best.evaluations + next.evaluations;
+    if (next.feasible && next.objective <= best.objective)
+      best.z = next.z, best.objective = next.objective, best.overstep = next.overstep, best.ended = next.ended;
+    best.evaluations = evaluations;
+  }
 }
 
 }  // namespace
@@ -84,32 +94,38 @@ Optimum by_gradients(Evaluator& evaluator, const Aim& asked, Method method, Eige
 Certificate best_bed(Evaluator& evaluator, const Aim& aim, const Profile& start, double extra,
                      const OptimiserOptions& options) {
   const auto& space = evaluator.problem().fleet.bed;
+  const auto program = make_program(evaluator, aim);
   const double enough = 5e-3;
   Certificate out;
-  std::array<std::vector<double>, 2> allowance;
-  allowance.fill(std::vector<double>(aim.cases.size(), 0.0));
-  out.first = by_gradients(evaluator, aim, Method::slsqp, point_of(space, start, extra), options, allowance[0]);
-  out.second = by_gradients(evaluator, aim, Method::mma, point_of(space, other_start(space, start), extra), options,
-                            allowance[1]);
+  const auto from = starts(space, start);
+  for (const auto& each : from) {
+    const auto next = search(program, Method::slsqp, point_of(space, each, extra), options);
+    out.ends.push_back(next.feasible ? next.objective : std::nan(""));
+    const int before = out.first.evaluations;
+    if (out.first.z.size() == 0 || better(next, out.first)) out.first = next;
+    out.first.evaluations = before + next.evaluations;
+  }
+  // The second method begins elsewhere: half-way between the first one's end and another start.
+  auto rough = options;
+  rough.ftol = rough.xtol = 1e-5, rough.evaluations = 60;
+  out.second = search(program, Method::mma, 0.5 * (out.first.z + point_of(space, from[1], extra)), rough);
   for (int round = 0; round < 3; ++round) {
     out.difference = relative_difference(out.first.objective, out.second.objective);
-    if (out.first.feasible && out.second.feasible && out.difference <= enough) break;
-    // The worse one starts again where it ended, with a fresh model of the problem.
+    if (out.first.feasible && out.second.feasible && out.difference <= 0.2 * enough) break;
     const bool second = better(out.first, out.second);
-    auto& worse = second ? out.second : out.first;
-    auto next = by_gradients(evaluator, aim, worse.method, worse.z, options, allowance[second]);
-    next.evaluations += worse.evaluations;
-    if (better(next, worse))
-      worse = next;
+    if (second)
+      out.second = again(program, out.second, out.first, rough);
     else
-      worse.evaluations = next.evaluations;
+      out.first = again(program, out.first, out.second, options);
   }
+  polish(program, options, out);
+  out.difference = relative_difference(out.first.objective, out.second.objective);
   out.agreed = out.first.feasible && out.second.feasible && out.difference <= enough;
-  const bool second = better(out.second, out.first);
-  const auto& best = second ? out.second : out.first;
-  auto examined = aim;
-  examined.allowance = allowance[second];
-  if (best.z.size() > 0) examine(make_program(evaluator, examined, Peaks::watched), best.z, options, out);
+  const auto& best = better(out.second, out.first) ? out.second : out.first;
+  if (best.z.size() > 0) {
+    examine(program, best.z, options, out);
+    out.sensitivity_error = sensitivity_difference(evaluator, aim, program, best.z, out, options);
+  }
   return out;
 }
 
@@ -159,12 +175,12 @@ void forbid_by_loads(Evaluator& evaluator, Aim aim, const Profile& start, const 
 std::vector<double> alone(Evaluator& evaluator, const Aim& aim, const SizeOptions& options) {
   std::vector<double> out;
   for (const std::size_t k : aim.cases) {
-    Aim one{Objective::length, aim.reference, 0.0, {k}, {}, {}, 0.0, false};
+    Aim one{Objective::length, aim.reference, 0.0, {k}, {}, 0.0, false};
     const auto uniform = uniform_bed(evaluator, {k});
     const Profile start{
         evaluator.problem().fleet.bed.maximum_ramp, aim.reference,
         std::vector<double>(static_cast<std::size_t>(evaluator.problem().fleet.bed.nodes), uniform.depth)};
-    const auto program = make_program(evaluator, one, Peaks::watched);
+    const auto program = make_program(evaluator, one);
     const auto best =
         optimise(program, Method::slsqp, point_of(evaluator.problem().fleet.bed, start, uniform.length / aim.reference),
                  options.optimiser);
@@ -173,7 +189,8 @@ std::vector<double> alone(Evaluator& evaluator, const Aim& aim, const SizeOption
   return out;
 }
 
-void judge_cases(const Problem& problem, Design& design) {
+void judge_cases(Evaluator& evaluator, Design& design) {
+  const auto& problem = evaluator.problem();
   const auto& bed = design.built.bed;
   design.cases.resize(problem.fleet.cases.size());
   parallel_for(design.cases.size(), problem.threads, [&](std::size_t k) {
@@ -188,9 +205,16 @@ void judge_cases(const Problem& problem, Design& design) {
     auto model = problem.models[k];
     model.bed = bed;
     const auto use = [&](const simulation::Result& result) { return worst_use(result, model, problem.fleet.limits); };
-    const auto speeds = study::critical_speed(model, problem.fleet.cases[k].overrun, bed.length(), use, problem.solve,
-                                              {simulation::Method::fast, 1e-6, 0.01, 120.0});
-    out.arrest_speed = speeds.arrest, out.max_exit_speed = speeds.intact;
+    std::vector<double> name{static_cast<double>(k), problem.fleet.limits.criterion == Criterion::limit ? 0.0 : 1.0};
+    name.insert(name.end(), bed.distance.begin(), bed.distance.end());
+    name.insert(name.end(), bed.depth.begin(), bed.depth.end());
+    const auto speeds = evaluator.remembered("speeds " + study::to_text(name), [&]() -> std::vector<double> {
+      if (stop_requested()) throw Interrupted();
+      const auto found = study::critical_speed(model, problem.fleet.cases[k].overrun, bed.length(), use, problem.solve,
+                                               {simulation::Method::fast, 1e-6, 0.01, 120.0});
+      return {found.arrest, found.intact};
+    });
+    out.arrest_speed = speeds.at(0), out.max_exit_speed = speeds.at(1);
   });
 }
 
@@ -217,7 +241,7 @@ Design size_bed(const Problem& problem, study::Store& store, const SizeOptions& 
   const auto& space = problem.fleet.bed;
   Design design;
   design.objective = options.objective;
-  Aim aim{options.objective, 0.0, options.length > 0 ? options.length : space.maximum_length, {}, {}, {}, 0.0, false};
+  Aim aim{options.objective, 0.0, options.length > 0 ? options.length : space.maximum_length, {}, {}, 0.0, false};
   aim.cases.resize(problem.fleet.cases.size());
   std::iota(aim.cases.begin(), aim.cases.end(), std::size_t{0});
 
@@ -238,20 +262,24 @@ Design size_bed(const Problem& problem, study::Store& store, const SizeOptions& 
   if (options.objective == Objective::minimax) aim.alone = design.alone = alone(evaluator, aim, options);
   const double extra = options.objective == Objective::minimax ? 1.2 : 1.0;
   design.certificate = best_bed(evaluator, aim, start, extra, options.optimiser);
+  if (options.objective == Objective::volume && !winner(design.certificate).feasible) {
+    aim.objective = Objective::length;  // tells how long a bed has to be, and what makes it so
+    design.certificate = best_bed(evaluator, aim, start, extra, options.optimiser);
+  }
   settle(problem, aim, design);
   if (design.feasible) {
     design.built =
-        build(problem, design.profile, options.objective == Objective::speed ? aim.length : 0.0, design.speed_factor);
+        build(evaluator, design.profile, options.objective == Objective::speed ? aim.length : 0.0, design.speed_factor);
     if (options.objective == Objective::minimax)
       for (const auto& each : design.built.figures) design.length = std::max(design.length, each.distance);
-    judge_cases(problem, design);
+    judge_cases(evaluator, design);
   }
   if (design.feasible && design.length > space.maximum_length + 1e-6) {
     design.feasible = false;
     design.forbidding = holding(design.certificate);
-    design.reason =
-        "the shortest bed within the load limits is longer than the space allows (maximum_length). In the way: " +
-        listed(design.forbidding, problem.fleet);
+    design.reason = std::string(aim.objective == Objective::minimax ? "the fairest" : "the shortest") +
+                    " bed within the load limits is longer than the space allows (maximum_length). In the way: " +
+                    listed(design.forbidding, problem.fleet);
   } else if (!design.feasible && design.reason.empty()) {
     design.reason = "no bed was found that keeps all limits";
   }

@@ -22,13 +22,16 @@ namespace {
 void add_certificate(std::string& out, const DesignRecord& record) {
   const auto& certificate = record.design.certificate;
   out += fmt::format(
-      "\n  certificate    {} and {} from two starts differ by {} ({}); gradients within {}, stationarity {:.1e}\n",
+      "\n  certificate    {} and {} differ by {} ({})\n"
+      "                 gradients within {} of other differences, {} of sensitivities; stationarity {:.1e}, gap {}\n",
       design::text(certificate.first.method), design::text(certificate.second.method),
       percent(certificate.difference, 3),
       !certificate.agreed              ? "NOT agreed"
       : design::certified(certificate) ? "certified"
                                        : "agreed, but the optimum is NOT shown",
-      percent(certificate.gradient_error, 2), certificate.stationarity);
+      percent(certificate.gradient_error, 2),
+      std::isfinite(certificate.sensitivity_error) ? percent(certificate.sensitivity_error, 2) : "(not compared)",
+      certificate.stationarity, percent(certificate.gap, 3));
   double shown_weight = 0.0;
   for (const auto& active : certificate.active) {
     if (active.constraint.kind == design::Kind::bound || active.weight < 0.01 || shown_weight > 0.97) continue;

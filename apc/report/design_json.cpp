@@ -41,9 +41,13 @@ Value certificate_value(const DesignRecord& record) {
             {"agreed", certificate.agreed},
             {"certified", design::certified(certificate)},
             {"gradient_error", certificate.gradient_error},
+            {"sensitivity_error", number_or_null(certificate.sensitivity_error)},
             {"stationarity", certificate.stationarity},
+            {"gap", certificate.gap},
+            {"ends", Value::array()},
             {"optima", {optimum_value(certificate.first), optimum_value(certificate.second)}},
             {"active", Value::array()}};
+  for (const double end : certificate.ends) out["ends"].push_back(number_or_null(end));
   for (const auto& active : certificate.active)
     out["active"].push_back({{"constraint", describe(active.constraint, record.fleet)},
                              {"use", active.use},

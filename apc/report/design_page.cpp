@@ -152,7 +152,7 @@ std::string certificate_section(const DesignRecord& record) {
   for (const auto& each : certificate.active) {
     if (each.constraint.kind == design::Kind::bound) continue;
     auto name = describe(each.constraint, record.fleet);
-    if (each.constraint.place >= 0) name += fmt::format(", watched place {}", each.constraint.place + 1);
+    if (each.constraint.window >= 0) name += fmt::format(", window {}", each.constraint.window + 1);
     active.push_back({escaped(name), percent(each.use, 2), percent(each.weight, 1)});
   }
   return "<h2>Why this is the best bed</h2>\n<div class=\"two\"><div>" +

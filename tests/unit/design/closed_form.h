@@ -63,11 +63,12 @@ inline simulation::Result solve(const simulation::Model& model, const simulation
   out.runway_distance = out.stop_distance + model.bed.setback;
   double deepest = 0.0;
   std::vector<double> places{0.0, low};
-  for (const double at : model.bed.distance)
-    if (at < low) places.push_back(at);
+  for (const double at : model.bed.distance)  // corners, twice, so that nobody takes one for a smooth peak
+    if (at < low) places.push_back(at), places.push_back(at);
   for (double at = 0.0; at < low; at += 0.5) places.push_back(at);
   std::sort(places.begin(), places.end());
   for (const double at : places) deepest = std::max(deepest, model.bed.depth_at(at));
+  if (options.sampling > 0) out.history.distance = places;
   for (const auto& gear : model.aircraft.gears) {
     simulation::GearSummary summary;
     summary.name = gear.name;
