@@ -98,14 +98,19 @@ std::string learn_page(const Study& study) {
       "<!doctype html><html lang='en'><meta charset='utf-8'><meta name='viewport' "
       "content='width=device-width'><title>" +
       b.data->title +
-      "</title><style>body{font:16px/1.5 system-ui,sans-serif;max-width:760px;margin:2em auto;padding:0 "
-      "1em;color:#222;background:#fff}svg{width:100%;font:12px system-ui}"
-      ".bar{fill:#456}.dots "
-      "circle{fill:#888}.model{fill:none;stroke:#b40;stroke-width:1.6}table{border-collapse:collapse}td,th{padding:2px "
-      "10px;text-align:left;border-bottom:1px solid #ddd}"
+      "</title><style>:root{--bg:#fbfbf9;--ink:#18232d;--line:#d9dfe4;--mark:#566572;--model:#bd4f06;--bad:#a31621;"
+      "color-scheme:light}@media (prefers-color-scheme:dark){:root{--bg:#11171d;--ink:#e6ecf1;--line:#2e3b47;"
+      "--mark:#9fb0be;--model:#f59e62;--bad:#ff8078;color-scheme:dark}}@media print{:root{--bg:#fff;--ink:#111;"
+      "--line:#bbb;--mark:#444;--model:#bd4f06;--bad:#a31621;color-scheme:light}svg,tr{break-inside:avoid}}"
+      "body{font:16px/1.5 system-ui,sans-serif;max-width:760px;margin:2em auto;padding:0 1em;color:var(--ink);"
+      "background:var(--bg);-webkit-print-color-adjust:exact;print-color-adjust:exact}"
+      "svg{width:100%;font:12px system-ui}svg text{fill:var(--ink)}p,td{overflow-wrap:anywhere}"
+      ".bar{fill:var(--mark)}.dots circle{fill:var(--mark)}.model{fill:none;stroke:var(--model);stroke-width:1.6}"
+      ".wide{overflow-x:auto}table{border-collapse:collapse;min-width:34em}td,th{padding:2px 10px;text-align:left;"
+      "border-bottom:1px solid var(--line)}"
       "</style><h1>" +
       b.data->title +
-      "</h1><p style='color:#a00'><strong>Experimental: the probabilities are not calibrated; quote none "
+      "</h1><p style='color:var(--bad)'><strong>Experimental: the probabilities are not calibrated; quote none "
       "of them.</strong></p><p><strong>Verdict: " +
       text(d.verdict) + "</strong>";
   if (!d.learned.empty()) page += ": a force that follows \"" + d.learned + "\", none of the catalogue";
@@ -114,7 +119,7 @@ std::string learn_page(const Study& study) {
       "conditions and instruments.</p>" +
       ranked(d);
   if (!d.claims.empty()) {
-    page += "<table><tr><th>effect<th>probability<th>family-wise p<th>size (SI)<th>law</tr>";
+    page += "<div class='wide'><table><tr><th>effect<th>probability<th>family-wise p<th>size (SI)<th>law</tr>";
     for (const Claim& c : d.claims) {
       const double deviation = c.deviation.empty() ? std::nan("") : c.deviation.front();
       page += "<tr><td>" + c.id +
@@ -122,7 +127,7 @@ std::string learn_page(const Study& study) {
                      deviation) +
               c.applied.effect.law + "</tr>";
     }
-    page += "</table>";
+    page += "</table></div>";
   }
   page += "<h2>Cannot be told apart</h2>";
   if (d.rivals.empty()) page += "<p>No two leading effects look alike in these runs.</p>";

@@ -82,6 +82,15 @@ TEST(Page, OfAParticleRun) {
   expect_good_page(folder, "o/report.html", 2);
 }
 
+TEST(Page, OfALearningLoop) {
+  NEEDS_CHROMIUM;
+  const Folder folder;
+  const auto said =
+      run(folder, {"learn", std::string(PROJECT_DIR) + "/tests/validation/cases/joints", "-o", "o", "--quiet"});
+  ASSERT_NE(said.exit_code, 2) << said.err;
+  expect_good_page(folder, "o/report.html", 3);
+}
+
 /// The test itself: a page with every fault is found at fault.
 TEST(Look, SeesWhatIsWrong) {
   NEEDS_CHROMIUM;
