@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "apc/base/file.h"
 #include "apc/base/require.h"
@@ -51,15 +50,6 @@ std::string brief(const site::Site& site, report::UnitSystem units) {
       distance(site.minimum_setback), site.source);
 }
 
-nlohmann::ordered_json record_of(const site::Site& site, const std::vector<site::Check>& checks) {
-  nlohmann::ordered_json out{{"schema", "apc-placing/1"},
-                             {"site", nlohmann::ordered_json::parse(site::site_json(site))},
-                             {"checks", nlohmann::ordered_json::array()}};
-  for (const auto& each : checks)
-    out["checks"].push_back({{"what", each.what}, {"value", each.value}, {"limit", each.limit}, {"met", each.met}});
-  return out;
-}
-
 void run_site(const Words& words, Settings& settings) {
   require(words.site.empty() != words.airport.empty(),
           "give either --site FILE or --airport CODE --runway NAME, to say which runway end is meant");
@@ -77,7 +67,7 @@ void run_site(const Words& words, Settings& settings) {
     write_text(folder / "site.geojson", site::geojson(place, bed));
     write_text(folder / "site.kml", site::kml(place, bed));
   }
-  if (!settings.json.empty()) write_text(settings.json, record_of(place, checks).dump(1) + "\n");
+  if (!settings.json.empty()) write_text(settings.json, site::placing_json(place, checks));
   for (const auto& each : checks)
     if (!each.met) settings.exit_code = exit_code::not_met;
   if (settings.quiet) return;

@@ -62,7 +62,7 @@ struct ReliabilityOptions {
   std::uint64_t seed = 1;
   /// m/s, of each critical speed. An error of 0.1 m/s moves one sample's probability by 0.0035 at most, and the
   /// samples' errors are independent.
-  double arrest_tolerance = 0.1, intact_tolerance = 0.25;
+  double arrest_tolerance = 0.1, intact_tolerance = 0.15;
   simulation::Options solver{simulation::Method::fast, 1e-5, 0.0, 120.0};
   unsigned threads = 0;
   std::function<void(std::size_t finished)> finished;

@@ -50,6 +50,8 @@ struct Check {
 /// leading edge: no part of such a bed lies on the site.
 std::vector<Check> fit(const Site&, const bed::Bed&);
 
+/// Schema "apc-placing/1": the site and the facts about the placing, SI.
+std::string placing_json(const Site&, const std::vector<Check>&);
 std::string geojson(const Site&, const bed::Bed&);
 std::string kml(const Site&, const bed::Bed&);
 

@@ -69,4 +69,13 @@ std::string site_json(const Site& site) {
 
 Site load_site(const std::filesystem::path& path) { return read_site(read_json(path)); }
 
+std::string placing_json(const Site& site, const std::vector<Check>& checks) {
+  nlohmann::ordered_json out{{"schema", "apc-placing/1"},
+                             {"site", nlohmann::ordered_json::parse(site_json(site))},
+                             {"checks", nlohmann::ordered_json::array()}};
+  for (const auto& each : checks)
+    out["checks"].push_back({{"what", each.what}, {"value", each.value}, {"limit", each.limit}, {"met", each.met}});
+  return out.dump(1) + "\n";
+}
+
 }  // namespace apc::site

@@ -16,7 +16,8 @@ TEST(Architecture, UnitsInNamesStandOnlyAtTheEdges) {
   for (const auto& file : files_in(code_folders(), code_extensions())) {
     const bool edge = file.path.starts_with("apc/report/") || file.path.starts_with("apc/cli/") ||
                       file.path.find("_json.") != std::string::npos || file.path == "apc/base/units.h" ||
-                      file.path == "apc/base/quantity.cpp";
+                      file.path == "apc/base/quantity.cpp" ||
+                      file.path == "apc/site/airports.cpp";  // names the columns of a foreign format
     if (edge) continue;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const auto code = file.lines[i].substr(0, file.lines[i].find("//"));

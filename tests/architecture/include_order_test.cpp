@@ -35,6 +35,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"apc/reliability", with(above, {"apc/study"})},
       {"apc/report", report},
       {"apc/cli", with(report, {"apc/report", "sph_backend"})},
+      {"apc/python", with(report, {"apc/report", "apc/cli"})},
   };
   return table;
 }
@@ -92,6 +93,7 @@ TEST(Architecture, EachLibraryIsKnownInOnePlaceOnly) {
       for (const char* library : {"cvodes/", "cvode/", "sundials/", "nvector/", "sunmatrix/", "sunlinsol/"})
         only(library, solver);
       only("CLI/", layer_of(file.path) == "apc/cli");
+      only("pybind11/", layer_of(file.path) == "apc/python");
       only("nlopt", layer_of(file.path) == "apc/design");
     }
   }
