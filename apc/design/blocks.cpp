@@ -168,7 +168,8 @@ Built build(Evaluator& evaluator, const Profile& profile, double length, double 
     for (int near = 3; near >= -3; --near)
       for (int far = 3; far >= -3; --far) attempt({0.1 + 0.3 * near, 0.1 + 0.3 * far, reach});
   }
-  if (best.worst_use <= keeps) Raise(evaluator, speed_factor, best, need).run();
+  // A space of one depth asks for a bed of one depth.
+  if (best.worst_use <= keeps && space.nodes > 1) Raise(evaluator, speed_factor, best, need).run();
   const double rows = (length > 0 ? length : need) / space.block_length;
   best.blocks.depth.resize(static_cast<std::size_t>(length > 0 ? std::floor(rows + 1e-9) : std::ceil(rows - 1e-9)),
                            best.blocks.depth.back());

@@ -40,8 +40,9 @@ struct Built {
 };
 
 /// Rounds to the nearest step; where that breaks a limit, tries other roundings and takes the shortest bed that keeps
-/// all. Then raises rows by a step where that shortens it. When no rounding keeps the limits, takes the one that
-/// oversteps least. `length` 0: as long as the longest stop needs, in whole rows; otherwise that length.
+/// all. Then, unless one depth is asked for, raises rows by a step where that shortens it. When no rounding keeps the
+/// limits, takes the one that oversteps least. `length` 0: as long as the longest stop needs, in whole rows; otherwise
+/// that length.
 Built build(Evaluator&, const Profile&, double length, double speed_factor);
 
 }  // namespace apc::design

@@ -19,10 +19,10 @@ Said killed_and_continued(const Folder& folder, const std::vector<std::string>& 
   return run(folder, words);
 }
 
-/// The design without what differs from start to start: the clock, and how many overruns this start simulated itself.
+/// The design without what differs from start to start: the clock, and the overruns this start simulated itself.
 nlohmann::json lasting(const Folder& folder) {
   auto design = nlohmann::json::parse(text_of(folder.path() / "d/design.json"));
-  for (const char* key : {"runs", "seconds", "provenance"}) design.erase(key);
+  for (const char* key : {"runs", "gave_up", "seconds", "provenance"}) design.erase(key);
   return design;
 }
 
