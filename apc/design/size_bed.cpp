@@ -268,8 +268,21 @@ Design size_bed(const Problem& problem, study::Store& store, const SizeOptions& 
   }
   settle(problem, aim, design);
   if (design.feasible) {
-    design.built =
-        build(evaluator, design.profile, options.objective == Objective::speed ? aim.length : 0.0, design.speed_factor);
+    const double given = options.objective == Objective::speed ? aim.length : 0.0;
+    design.built = build(evaluator, design.profile, given, design.speed_factor);
+    // Where no rounding keeps the limits, the best bed with a little reserve is rounded instead.
+    auto z = winner(design.certificate).z;
+    auto careful = aim;
+    for (int round = 0; round < 3 && design.built.worst_use > 1.0; ++round) {
+      careful.reserve += 1.5 * (design.built.worst_use - 1.0) + 2e-3;
+      const auto next = search(make_program(evaluator, careful), Method::slsqp, z, options.optimiser);
+      if (!next.feasible) break;
+      z = next.z;
+      const double factor = options.objective == Objective::speed ? z[z.size() - 1] : 1.0;
+      auto trial = build(evaluator, profile_of(space, z, aim.reference), given, factor);
+      if (trial.worst_use >= design.built.worst_use) continue;
+      design.built = std::move(trial), design.speed_factor = factor;
+    }
     if (options.objective == Objective::minimax)
       for (const auto& each : design.built.figures) design.length = std::max(design.length, each.distance);
     judge_cases(evaluator, design);
