@@ -77,10 +77,9 @@ std::string site_plan(const ComplianceRecord& record) {
       "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">N</text>",
       pixel(cx - 18 * dx), pixel(cy - 18 * dy), pixel(cx + 18 * dx), pixel(cy + 18 * dy), pixel(cx + 18 * dx),
       pixel(cy + 18 * dy), pixel(cx + 30 * dx), pixel(cy + 30 * dy + 4));
-  words(-before + 0.06 * ahead, 20, "start",
-        fmt::format("overrun towards {:.1f}° true from {:.5f}°, {:.5f}°", site->heading / units::deg,
-                    site->end.latitude / units::deg, site->end.longitude / units::deg));
-  return out + "</svg></div>\n";
+  return out + fmt::format("</svg></div>\n<p class=\"sub\">Overrun towards {:.1f}° true from {:.5f}°, {:.5f}°.</p>\n",
+                           site->heading / units::deg, site->end.latitude / units::deg,
+                           site->end.longitude / units::deg);
 }
 
 std::string section(const ComplianceRecord& record) {
