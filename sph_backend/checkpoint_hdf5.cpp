@@ -46,6 +46,8 @@ std::string fingerprint(const RollingCase& c) {
                          c.beta,
                          c.cfl,
                          c.window,
+                         c.entry,
+                         static_cast<double>(c.spin),
                          c.rigid_roller ? 1.0 : 0.0})
     add(v);
   for (const double v : c.foam.load_curve.x()) add(v);

@@ -12,6 +12,7 @@ struct EnergyAccount {
   double foam_kinetic = 0.0;     ///< now
   double viscosity = 0.0;        ///< artificial viscosity, which stands for crush shocks too
   double foam_damping = 0.0;     ///< rate damping of the material
+  double hourglass = 0.0;        ///< against modes that one-point elements do not see; zero for particles
   double friction = 0.0;         ///< tire on foam
   double contact_penalty = 0.0;  ///< stored in the contact with tire and rigid plane, now
   double contact_damping = 0.0;
@@ -24,8 +25,8 @@ struct EnergyAccount {
 
   double input() const { return axle_work + spin_work; }
   double accounted() const {
-    return foam_internal + foam_kinetic + viscosity + foam_damping + friction + contact_penalty + contact_damping +
-           contact_radius + tire_stored + tire_kinetic + tire_damping + wheel_kinetic + removed;
+    return foam_internal + foam_kinetic + viscosity + foam_damping + hourglass + friction + contact_penalty +
+           contact_damping + contact_radius + tire_stored + tire_kinetic + tire_damping + wheel_kinetic + removed;
   }
   /// (input − accounted)/input.
   double residual() const { return input() != 0.0 ? (input() - accounted()) / input() : 0.0; }

@@ -3,18 +3,13 @@
 
 #include "sph_backend/energy.h"
 #include "sph_backend/foam_bed.h"
+#include "sph_backend/rolling_history.h"
 #include "sph_backend/tire.h"
 #include "sph_backend/tire_contact.h"
 #include "sph_backend/tire_rig.h"
 #include "sph_backend/wheel_path.h"
 
 namespace apc::sph {
-
-/// Sums since the last bin of the history was closed.
-struct RollingSums {
-  double drag = 0.0, vertical = 0.0, spin = 0.0, deflection = 0.0;
-  double steps = 0.0, distance = 0.0, internal = 0.0;
-};
 
 struct RollingRun {
   RollingCase setup;  ///< with every default written out
@@ -37,6 +32,8 @@ RollingCase completed(const RollingCase& setup);
 
 RollingRun start_run(const RollingCase& completed, unsigned threads);
 void step(RollingRun&);
+/// Moves the window of foam along when the axle has reached the end of a column.
+void follow(RollingRun&, const AxleState&);
 
 /// Height of the crushed surface behind the tire, m above the rigid plane.
 double surface_behind(const RollingRun&);

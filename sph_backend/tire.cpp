@@ -115,4 +115,23 @@ GasState gas_state(const Tire& tire) {
   return {volume - lost, -lost, (tire.shape.inflation + atmosphere) * volume / (volume - lost) - atmosphere};
 }
 
+double kick_tire(Tire& tire, double dt, std::vector<double>& mean_rate) {
+  mean_rate.assign(tire.u.size(), 0.0);
+  if (tire.rigid) return 0.0;
+  static thread_local std::vector<double> elastic;
+  elastic_force(tire, elastic);
+  double damped = 0.0;
+  const double half = 0.5 * dt * tire.damping;
+  for (int i = 0; i < tire.grid.around; ++i)
+    for (int j = 0; j < tire.grid.across; ++j) {
+      const std::size_t n = tire.node(i, j);
+      const double push = (tire.force[n] + elastic[n]) / tire.mass[j];
+      const double next = ((1.0 - half) * tire.rate[n] + dt * push) / (1.0 + half);
+      mean_rate[n] = 0.5 * (tire.rate[n] + next);
+      damped += dt * tire.damping * tire.mass[j] * mean_rate[n] * mean_rate[n];
+      tire.rate[n] = next;
+    }
+  return damped;
+}
+
 }  // namespace apc::sph

@@ -55,6 +55,10 @@ Tire make_tire(const TireShape&, const TireGrid& = {}, const TireAssumptions& = 
 /// A rigid cylinder without ends, of the shape's diameter, for plane-strain studies.
 Tire make_roller(const TireShape&, double half_width);
 
+/// Tread: one leapfrog step under tire.force and the elastic forces. Sets the mean rates of the step and returns the
+/// damping work.
+double kick_tire(Tire&, double dt, std::vector<double>& mean_rate);
+
 /// Elastic force −∂E/∂u at every node.
 void elastic_force(const Tire&, std::vector<double>& force);
 double stored_energy(const Tire&);

@@ -7,14 +7,6 @@
 namespace apc::sph {
 namespace {
 
-double contact_radius(const Bed& bed, float stretch) {
-  return 0.5 * bed.layer / (static_cast<double>(stretch) * stretch * stretch);
-}
-
-double stiffness(const Bed& bed, const ContactLaw& law) {
-  return law.stiffness_factor * bed.spec.foam.youngs_modulus * bed.spec.spacing;
-}
-
 /// Deflection and its slopes at material angle φ and lateral place y (bilinear), with the weights of the four nodes.
 struct Deflection {
   double u, du_dphi, du_dy;
@@ -43,17 +35,18 @@ Deflection deflection_at(const Tire& tire, double phi, double y) {
 
 }  // namespace
 
-void apply_contact(Bed& bed, Tire& tire, const AxleState& axle, const ContactLaw& law, ContactResult& result) {
-  const Particles& p = bed.particles;
-  const double outer = 0.5 * tire.shape.diameter + 0.5 * bed.layer, side = tire.outline.lateral + 0.5 * bed.layer;
-  const double k = stiffness(bed, law), c = 2.0 * law.damping_ratio * std::sqrt(k * bed.mass);
+void find_contact(const ContactPoints& p, Tire& tire, const AxleState& axle, const ContactLaw& law,
+                  ContactResult& result) {
+  const double outer = 0.5 * tire.shape.diameter + p.reach, side = tire.outline.lateral + p.reach;
+  const double k = p.stiffness, c = 2.0 * law.damping_ratio * std::sqrt(k * p.mass);
   result.force_x = result.force_z = result.torque = 0.0;
   result.touches.clear();
   std::fill(tire.force.begin(), tire.force.end(), 0.0);
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (std::size_t n = 0; n < p.count; ++n) {
+    const std::size_t i = p.which != nullptr ? p.which[n] : n;
     const double dx = p.x[i] - axle.x, dz = p.z[i] - axle.z, r2 = dx * dx + dz * dz;
-    if (r2 > outer * outer || p.y[i] > side || p.id[i] < 0) continue;
-    const double reach = contact_radius(bed, p.stretch[i]), y = std::abs(p.y[i]);
+    if (r2 > outer * outer || p.y[i] > side || (p.id != nullptr && p.id[i] < 0)) continue;
+    const double reach = p.radius(p.stretch, i), y = std::abs(p.y[i]);
     const double r = std::max(std::sqrt(r2), 1e-9);
     const double er_x = dx / r, er_z = dz / r, ea_x = -er_z, ea_z = er_x;  // α from downwards towards +x
     const Deflection d = deflection_at(tire, std::atan2(dx, -dz) + tire.angle, y);
@@ -74,7 +67,7 @@ void apply_contact(Bed& bed, Tire& tire, const AxleState& axle, const ContactLaw
     // Velocity relative to the rigidly turning wheel, and to its deflecting surface.
     const double rel[3] = {p.vx[i] - axle.vx + tire.spin * r * ea_x, p.vy[i], p.vz[i] - axle.vz + tire.spin * r * ea_z};
     double sinking = 0.0;
-    for (int n = 0; n < 4; ++n) sinking += d.weights[n] * tire.rate[d.nodes[n]];
+    for (int m = 0; m < 4; ++m) sinking += d.weights[m] * tire.rate[d.nodes[m]];
     const double gap_rate =
         t.gradient[0] * rel[0] + t.gradient[1] * rel[1] + t.gradient[2] * rel[2] + s.normal_radial * sinking;
     t.elastic = k * overlap;
@@ -92,28 +85,23 @@ void apply_contact(Bed& bed, Tire& tire, const AxleState& axle, const ContactLaw
     }
     // Never more than would stop a third of the slip within the step: keeps light particles from being shaken.
     const double drag =
-        std::min(law.friction * normal * size / std::max(std::sqrt(speed2), law.slip_speed), 0.3 * bed.mass / bed.dt);
+        std::min(law.friction * normal * size / std::max(std::sqrt(speed2), law.slip_speed), 0.3 * p.mass / p.dt);
     for (int a = 0; a < 3; ++a) {
       t.friction[a] = -drag * tangent[a];
       t.force[a] = normal * t.gradient[a] + t.friction[a];
-      bed.acceleration[a][i] += static_cast<float>(t.force[a] / bed.mass);
     }
     const double friction_radial = t.friction[0] * er_x + t.friction[2] * er_z;
-    for (int n = 0; n < 4; ++n) tire.force[d.nodes[n]] += d.weights[n] * (normal * s.normal_radial + friction_radial);
+    for (int m = 0; m < 4; ++m) tire.force[d.nodes[m]] += d.weights[m] * (normal * s.normal_radial + friction_radial);
     result.force_x -= t.force[0], result.force_z -= t.force[2];
     result.torque += r * (t.force[0] * ea_x + t.force[2] * ea_z);
     result.touches.push_back(t);
   }
 }
 
-ContactWork book_contact(const Bed& bed, const Tire& tire, const AxleState& axle, const ContactLaw& law,
-                         const ContactResult& result, const std::vector<double>& before,
-                         const std::vector<float>& stretch_before, double mean_spin,
+ContactWork book_contact(const ContactPoints& p, const AxleState& axle, const ContactResult& result,
+                         const std::vector<double>& before, const float* stretch_before, double mean_spin,
                          const std::vector<double>& mean_rate) {
   ContactWork work;
-  const Particles& p = bed.particles;
-  const double k = stiffness(bed, law);
-  (void)tire;
   for (std::size_t n = 0; n < result.touches.size(); ++n) {
     const Touch& t = result.touches[n];
     const std::size_t i = t.particle;
@@ -125,14 +113,20 @@ ContactWork book_contact(const Bed& bed, const Tire& tire, const AxleState& axle
     for (int m = 0; m < 4; ++m) sinking += t.weights[m] * mean_rate[t.nodes[m]];
     const double gap_rate =
         t.gradient[0] * rel[0] + t.gradient[1] * rel[1] + t.gradient[2] * rel[2] + t.normal_radial * sinking;
-    work.on_axle += bed.dt * (t.force[0] * axle.vx + t.force[2] * axle.vz);
-    work.penalty += 0.5 * k * t.overlap * t.overlap;
-    work.damping -= bed.dt * t.damping * gap_rate;
-    work.friction -= bed.dt * (t.friction[0] * (rel[0] + sinking * t.e_radial[0]) + t.friction[1] * rel[1] +
-                               t.friction[2] * (rel[2] + sinking * t.e_radial[1]));
-    work.radius -= t.elastic * (contact_radius(bed, p.stretch[i]) - contact_radius(bed, stretch_before[i]));
+    work.on_axle += p.dt * (t.force[0] * axle.vx + t.force[2] * axle.vz);
+    work.penalty += 0.5 * p.stiffness * t.overlap * t.overlap;
+    work.damping -= p.dt * t.damping * gap_rate;
+    work.friction -= p.dt * (t.friction[0] * (rel[0] + sinking * t.e_radial[0]) + t.friction[1] * rel[1] +
+                             t.friction[2] * (rel[2] + sinking * t.e_radial[1]));
+    work.radius -= t.elastic * (p.radius(p.stretch, i) - p.radius(stretch_before, i));
   }
   return work;
+}
+
+void touched_velocities(const ContactPoints& p, const ContactResult& result, std::vector<double>& out) {
+  out.clear();
+  for (const Touch& t : result.touches)
+    for (const double* v : {p.vx, p.vy, p.vz}) out.push_back(v[t.particle]);
 }
 
 }  // namespace apc::sph

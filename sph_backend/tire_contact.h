@@ -1,5 +1,6 @@
-/// Contact of foam particles with the deformed surface of a spinning tire.
+/// Contact of foam with the deformed surface of a spinning tire.
 ///
+/// The foam side is points: particles with a radius, or the surface nodes of a mesh, whose radius is zero.
 ///   gap g = distance of the particle from the section deflected by u(φ, y);  overlap δ = r_c − g, r_c = ½ layer ρ0/ρ
 ///   normal force N = k δ − c ġ ≥ 0 along ∇g, which contains the slopes of u: the force is the exact gradient of ½ k δ²
 ///   friction −μ N v_t/max(|v_t|, v_slip) on the relative tangential velocity, spin included
@@ -10,16 +11,15 @@
 
 #include <vector>
 
-#include "sph_backend/foam_bed.h"
+#include "sph_backend/contact_points.h"
 #include "sph_backend/tire.h"
 
 namespace apc::sph {
 
 struct ContactLaw {
-  double stiffness_factor = 2.0;  ///< k = factor · E · spacing
-  double damping_ratio = 0.1;     ///< c = 2 ζ √(k m)
-  double friction = 0.3;          ///< Coulomb coefficient of tire on foam
-  double slip_speed = 0.0;        ///< v_slip, m/s: below it friction is viscous
+  double damping_ratio = 0.1;  ///< c = 2 ζ √(k m)
+  double friction = 0.3;       ///< Coulomb coefficient of tire on foam
+  double slip_speed = 0.0;     ///< v_slip, m/s: below it friction is viscous
 };
 
 struct AxleState {
@@ -48,18 +48,21 @@ struct ContactResult {
   std::vector<Touch> touches;
 };
 
-/// Finds contacts, adds to bed.acceleration and to tire.force.
-void apply_contact(Bed&, Tire&, const AxleState&, const ContactLaw&, ContactResult&);
+/// Finds the contacts and adds to tire.force; the caller puts the touches' forces on the foam.
+void find_contact(const ContactPoints&, Tire&, const AxleState&, const ContactLaw&, ContactResult&);
 
 struct ContactWork {
   double on_axle = 0.0;  ///< work of the axle against the foam in this step
   double penalty = 0.0;  ///< stored now
   double damping = 0.0, friction = 0.0, radius = 0.0;
 };
-/// Work of one step; call after `kick`, with the velocities before it in `before` (3 per touch), the contact radii of
-/// the last step in `stretch_before`, and the mean spin and node rates of the step.
-ContactWork book_contact(const Bed&, const Tire&, const AxleState&, const ContactLaw&, const ContactResult&,
-                         const std::vector<double>& before, const std::vector<float>& stretch_before, double mean_spin,
+/// Work of one step of length `points.dt`; call after the kick, with the velocities before it in `before` (3 per
+/// touch), the stretches of the last step in `stretch_before` (null for points without radius), and the mean spin and
+/// node rates of the step.
+ContactWork book_contact(const ContactPoints& points, const AxleState&, const ContactResult&,
+                         const std::vector<double>& before, const float* stretch_before, double mean_spin,
                          const std::vector<double>& mean_rate);
+/// Velocities of the touched points, 3 per touch.
+void touched_velocities(const ContactPoints&, const ContactResult&, std::vector<double>& out);
 
 }  // namespace apc::sph

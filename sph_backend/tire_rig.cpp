@@ -7,42 +7,12 @@
 #include "apc/base/require.h"
 #include "apc/base/units.h"
 #include "sph_backend/checkpoint_hdf5.h"
+#include "sph_backend/rolling_history.h"
 #include "sph_backend/rolling_run.h"
 #include "sph_backend/snapshot_vtu.h"
 
 namespace apc::sph {
 namespace {
-
-double mean_of_last(const std::vector<double>& values, std::size_t bins, std::size_t skip = 0) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < bins; ++k) sum += values[values.size() - 1 - skip - k];
-  return sum / static_cast<double>(bins);
-}
-
-constexpr std::size_t bins_per_window = 4;
-
-/// Last two windows against each other.
-void measure(const RollingRun& run, RollingResult& result) {
-  const RollingHistory& h = run.history;
-  const std::size_t n = std::min(bins_per_window, h.drag.size() / 2);
-  if (n == 0) return;
-  const double d1 = mean_of_last(h.drag, n), d0 = mean_of_last(h.drag, n, n);
-  const double v1 = mean_of_last(h.vertical, n), v0 = mean_of_last(h.vertical, n, n);
-  const double s1 = mean_of_last(h.spin_ratio, n), s0 = mean_of_last(h.spin_ratio, n, n);
-  result.drag = 0.5 * (d0 + d1), result.vertical = 0.5 * (v0 + v1), result.spin_ratio = 0.5 * (s0 + s1);
-  result.tire_deflection = mean_of_last(h.deflection, 2 * n);
-  const double size = std::max({std::abs(result.drag), std::abs(result.vertical), 1e-9});
-  result.drag_change = (d1 - d0) / size, result.vertical_change = (v1 - v0) / size, result.spin_change = s1 - s0;
-  const std::size_t last = run.internal.size() - 1;
-  if (last >= 2 * n)
-    result.internal_energy_rate =
-        2.0 * (run.internal[last] - run.internal[last - 2 * n]) / (h.distance[last] - h.distance[last - 2 * n]);
-}
-
-bool settled(const RollingCase& setup, const RollingResult& r) {
-  return std::abs(r.drag_change) < setup.load_tolerance && std::abs(r.vertical_change) < setup.load_tolerance &&
-         std::abs(r.spin_change) < setup.spin_tolerance;
-}
 
 /// A reason to end the run early, or nothing.
 bool failed(const RollingRun& run, RollingResult& result) {
@@ -65,33 +35,8 @@ bool failed(const RollingRun& run, RollingResult& result) {
   return true;
 }
 
-/// Last word on the state: load beyond the tire model, open energy account, or why it did not settle.
-void conclude(const RollingRun& run, RollingResult& result) {
-  using units::in;
-  using units::lbf;
-  if (result.state == RunState::unstable) return;
-  const TireShape& tire = run.setup.tire;
-  const double limit = run.setup.tire_overload * tire.bottoming_load;
-  const double deepest = run.tire.rigid ? 0.0 : catalogue_deflection(tire, limit);
-  if (std::abs(result.residual) > run.setup.residual_limit) {
-    result.state = RunState::unstable;
-    result.message = concat("energy account open by ", 100.0 * result.residual, " % (limit ",
-                            100.0 * run.setup.residual_limit, " %). Try a smaller cfl or a finer spacing.");
-  } else if (!run.tire.rigid && (result.vertical > limit || result.tire_deflection > deepest)) {
-    result.state = RunState::tire_overloaded;
-    result.message =
-        concat("tire overloaded: ", result.vertical / lbf, " lbf, ", result.tire_deflection / in, " in; the limit is ",
-               limit / lbf, " lbf, ", deepest / in, " in (", run.setup.tire_overload, " of bottoming)");
-  } else if (result.state == RunState::did_not_settle) {
-    result.message =
-        concat("did not settle within ", run.setup.longest / in, " in: between the last two windows drag changed by ",
-               100.0 * result.drag_change, " %, vertical by ", 100.0 * result.vertical_change, " %, spin ratio by ",
-               result.spin_change);
-  }
-}
-
 void finish(const RollingRun& run, RollingResult& result) {
-  measure(run, result);
+  measure(run.history, run.internal, result);
   result.energy = run.energy;
   result.energy.tire_stored = stored_energy(run.tire);
   result.energy.tire_kinetic = tread_kinetic_energy(run.tire);
@@ -201,20 +146,6 @@ class Recorder {
   Clock::time_point saved_ = Clock::now();
 };
 
-/// Once per full bin of the history, from two windows behind the release on: steady?
-bool judge(const RollingRun& run, std::size_t& judged, RollingResult& result) {
-  const RollingHistory& h = run.history;
-  const RollingCase& setup = run.setup;
-  if (h.drag.size() == judged) return false;
-  judged = h.drag.size();
-  if (h.distance.back() < setup.accelerate_distance + 2.0 * setup.window + run.bin()) return false;
-  if (setup.fall != 0.0 && h.distance.back() < setup.accelerate_distance + 3.0 * setup.window) return false;
-  measure(run, result);
-  if (setup.fall == 0.0 && !settled(setup, result)) return false;
-  result.state = RunState::steady;
-  return true;
-}
-
 }  // namespace
 
 RollingResult roll(const RollingCase& given, const RollOptions& options) {
@@ -225,13 +156,13 @@ RollingResult roll(const RollingCase& given, const RollOptions& options) {
   const RollingCase& setup = run.setup;
   RollingResult result;
   result.state = RunState::did_not_settle;
-  const double end = setup.accelerate_distance + setup.longest;
+  const double end = setup.transient() + setup.longest;
   std::size_t judged = run.history.drag.size();
   Recorder recorder(options, run);
   while (true) {
     step(run);
     recorder.snapshot(run);
-    if (judge(run, judged, result)) break;
+    if (judge(setup, run.history, run.internal, judged, result)) break;
     if (run.bed.steps % 50 != 0) continue;
     if (failed(run, result)) break;
     const AxleState axle = run.path.at(run.bed.time);
@@ -241,11 +172,11 @@ RollingResult roll(const RollingCase& given, const RollOptions& options) {
     if (stop) throw Interrupted();
     if (options.progress)
       options.progress(0.3 * std::min(1.0, run.bed.time / run.path.press_time) + 0.7 * axle.x / end,
-                       run.bed.time < run.path.press_time ? "pressing" : "rolling");
+                       axle.x <= 0.0 ? "pressing" : "rolling");
   }
   if (!options.checkpoint.empty()) std::filesystem::remove(options.checkpoint);
   finish(run, result);
-  conclude(run, result);
+  conclude(run.setup, result);
   result.wall_s = seconds_since(begin);
   result.particle_steps_per_s = result.particle_steps / result.wall_s;
   return result;

@@ -16,6 +16,9 @@
 
 namespace apc::sph {
 
+/// How the wheel turns once it rolls: let go, held at ω R = v, or not at all.
+enum class WheelSpin { free, driven, locked };
+
 struct RollingCase {
   TireShape tire;
   Foam foam;
@@ -32,6 +35,8 @@ struct RollingCase {
   double behind = 0.0;          ///< m behind once it rolls; 0 = R (at least 8 spacings)
   double press_speed = 0.0;     ///< m/s, highest while pressing; 0 = 0.6 of `speed`, 4 to 15 m/s
   double accelerate_distance = 0.0;  ///< m; 0 = R/2
+  double entry = 0.0;                ///< m; 0 = pressed at rest; else rolled in at full speed, coming down on this way
+  WheelSpin spin = WheelSpin::free;
   /// Slope of the way down, positive while it sinks: loads are then means over two windows around the nominal
   /// penetration, and settling is not asked for.
   double fall = 0.0;
@@ -50,6 +55,9 @@ struct RollingCase {
   double longest = 0.0;           ///< m of travel after the release; 0 = 10 R
   double load_tolerance = 0.02;   ///< relative change of drag and vertical (against the larger of the two)
   double spin_tolerance = 0.015;  ///< absolute change of ω R/v
+
+  /// Travel until the wheel has reached speed and depth.
+  double transient() const { return entry > 0.0 ? entry : accelerate_distance; }
 };
 
 /// Particle spacing for a load campaign: an eighth of the tire's width for wide tires, a sixth for the narrowest, and

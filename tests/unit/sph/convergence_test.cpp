@@ -52,23 +52,38 @@ TEST(Kernel, IntegratesToOneAndHasItsSlope) {
   EXPECT_EQ(kernel(2.0 * h, 1.0 / h), 0.0);
 }
 
+WheelPath pressed_path() {
+  WheelPath path;
+  path.start_height = 1.2, path.end_height = 0.8, path.press_time = 0.1, path.accelerate_time = 0.05;
+  path.speed = 30.0, path.first_spin = 20.0;
+  return path;
+}
+
 TEST(WheelPath, VelocityIsTheSlopeOfThePosition) {
-  WheelPath sinking{1.2, 0.8, 0.1, 0.05, 30.0, 20.0, 0.03, 2.0};
-  for (const double t : {0.02, 0.08, 0.11, 0.14, 0.2}) {
-    const double d = 1e-6;
-    EXPECT_NEAR((sinking.at(t + d).z - sinking.at(t - d).z) / (2 * d), sinking.at(t).vz, 1e-4);
-  }
+  WheelPath sinking = pressed_path(), rolled_in = pressed_path();
+  sinking.fall = 0.03, sinking.fall_from = 2.0;
+  rolled_in.entry = 1.5;
+  for (const WheelPath& path : {pressed_path(), sinking, rolled_in})
+    for (const double t : {0.02, 0.04, 0.08, 0.11, 0.14, 0.2}) {
+      const double d = 1e-6;
+      EXPECT_NEAR((path.at(t + d).x - path.at(t - d).x) / (2 * d), path.at(t).vx, 1e-4);
+      EXPECT_NEAR((path.at(t + d).z - path.at(t - d).z) / (2 * d), path.at(t).vz, 1e-4);
+    }
   const double there =
       0.15 + (2.0 - sinking.at(0.15).x) / 30.0;  // two metres on it is where it would be on a level way
   EXPECT_NEAR(sinking.at(there).z, 0.8, 1e-12);
-  const WheelPath path{1.2, 0.8, 0.1, 0.05, 30.0, 20.0};
-  for (const double t : {0.02, 0.08, 0.11, 0.14, 0.2}) {
-    const double d = 1e-6;
-    EXPECT_NEAR((path.at(t + d).x - path.at(t - d).x) / (2 * d), path.at(t).vx, 1e-4);
-    EXPECT_NEAR((path.at(t + d).z - path.at(t - d).z) / (2 * d), path.at(t).vz, 1e-4);
-  }
-  EXPECT_NEAR(path.at(0.15).x, 0.75, 1e-12);
-  EXPECT_NEAR(path.spin(0.15), 20.0, 1e-12);
+  EXPECT_NEAR(pressed_path().at(0.15).x, 0.75, 1e-12);
+  EXPECT_NEAR(pressed_path().spin(0.15), 20.0, 1e-12);
+  EXPECT_NEAR(rolled_in.at(0.05).z, 0.8, 1e-12);  // one and a half metres on
+  EXPECT_EQ(rolled_in.at(0.0).vx, 30.0);
+}
+
+TEST(WheelPath, OnlyAFreeWheelIsLetGo) {
+  WheelPath path = pressed_path();
+  EXPECT_TRUE(path.spin_is_prescribed(0.14));
+  EXPECT_FALSE(path.spin_is_prescribed(0.16));
+  path.mode = WheelSpin::locked;
+  EXPECT_TRUE(path.spin_is_prescribed(9.0));
 }
 
 }  // namespace
