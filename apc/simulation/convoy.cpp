@@ -65,7 +65,9 @@ class LaneSolver {
   /// Instant for which the block has looked.
   void looks_at(double t) { looked_at_ = t; }
 
-  double next_step() { return control_.step(y_[static_cast<std::size_t>(plant_.degrees())]); }
+  double next_step() {
+    return control_.step(y_[static_cast<std::size_t>(plant_.degrees())], time_to_corner(plant_, moment_));
+  }
   bool judge(double h, double size) {
     statistics_.rhs_calls += 5;
     if (!control_.accepts(size, time_, y_.data(), plant_.degrees())) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "apc/simulation/course.h"
 #include "apc/simulation/cvode.h"
@@ -34,7 +35,10 @@ void write_ruts(const Plant& plant, Surroundings& around, const Moment& moment) 
       const auto& ground = made.ground;
       rut = {ground.load.rut_depth, ground.virgin_penetration, ground.virgin_drag, ground.virgin_vertical};
     }
-    around.ruts[r].write(made.distance, rut);
+    auto& log = around.ruts[r];
+    log.write(made.distance, rut);
+    for (const double corner : plant.groups[static_cast<std::size_t>(plant.rows[r].group)].corners)
+      if (std::abs(log.last_distance() - corner) <= at_corner) log.turn();
   }
 }
 
@@ -43,6 +47,23 @@ void write_ruts(const Plant& plant, Surroundings& around, double t, const double
   Moment moment;
   derivatives(plant, around, t, y, rate.data(), &moment);
   write_ruts(plant, around, moment);
+}
+
+double time_to_corner(const Plant& plant, const Moment& moment) {
+  double soonest = std::numeric_limits<double>::infinity();
+  for (std::size_t r = 0; r < plant.rows.size(); ++r) {
+    const auto& row = moment.rows[r];
+    const double speed = row.velocity.x;
+    if (!(speed > 0.0)) continue;
+    for (const double corner : plant.groups[static_cast<std::size_t>(plant.rows[r].group)].corners) {
+      const double way = corner - row.distance;
+      if (way <= at_corner) continue;
+      const double rough = way / speed, mean = speed + 0.5 * moment.cg_acceleration.x * rough;
+      if (mean > 0.5 * speed) soonest = std::min(soonest, way / mean);
+      break;
+    }
+  }
+  return soonest;
 }
 
 double longest_way(const Plant& plant) {

@@ -30,6 +30,10 @@ void write_ruts(const Plant&, Surroundings&, double time, const double* y);
 inline constexpr double rut_spacing = 0.2;  ///< m between entries of a rut log, at most
 /// Longest way of one step: a trailing row must never outrun the ruts written so far, and no step may jump a ramp.
 double longest_way(const Plant&);
+/// Time until the first row of wheels comes to a corner of its ground, s; infinite when none lies ahead. A step that
+/// ends there has no kink within: error estimates do not see what one does to a step.
+double time_to_corner(const Plant&, const Moment&);
+inline constexpr double at_corner = 0.5e-3;  ///< m from it: there
 /// Absolute tolerances of the reference method for every state.
 std::vector<double> absolute_tolerances(const Plant&, double rtol);
 /// The cg's ground speed at a state.

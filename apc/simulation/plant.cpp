@@ -58,6 +58,7 @@ void set_ground(const Model& model, const Overrun& overrun, Plant& plant) {
     auto& group = plant.groups[i];
     const auto& gear = model.aircraft.gears[i];
     const auto& tire = model.aircraft.tires.at(gear.tire);
+    group.corners = plant.profile.corners(plant.base_falls ? 0.5 * tire.radius() : 0.0);
     group.braking = gear.braked ? overrun.braking : 0.0;
     group.braking_in_bed = !gear.braked ? 0.0 : overrun.braking_in_bed < 0.0 ? overrun.braking : overrun.braking_in_bed;
     group.ground.table = &model.tables[i];

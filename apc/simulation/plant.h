@@ -50,6 +50,7 @@ struct Group {
   double tire_radius = 0.0;
   double braking = 0.0, braking_in_bed = 0.0;
   TireBed ground;
+  std::vector<double> corners;  ///< bed distances where a wheel of the group meets a kink of its ground
   int first_row = 0, rows = 1;
   int bogie = -1;                                   ///< index among the bogies; -1 without
   double bogie_inertia = 0.0, bogie_damping = 0.0;  ///< all struts: kg m², N m s

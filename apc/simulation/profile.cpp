@@ -1,5 +1,7 @@
 #include "apc/simulation/profile.h"
 
+#include <algorithm>
+
 namespace apc::simulation {
 
 Profile::Profile(const bed::Bed& bed, double depth_factor) : distance_(bed.distance), depth_(bed.depth) {
@@ -7,6 +9,20 @@ Profile::Profile(const bed::Bed& bed, double depth_factor) : distance_(bed.dista
   slope_.resize(distance_.size() - 1);
   for (std::size_t i = 0; i < slope_.size(); ++i)
     slope_[i] = (depth_[i + 1] - depth_[i]) / (distance_[i + 1] - distance_[i]);
+}
+
+std::vector<double> Profile::corners(double half_patch) const {
+  std::vector<double> found;
+  double before = 0.0;
+  for (std::size_t i = 0; i <= slope_.size(); ++i) {
+    const double after = i < slope_.size() ? slope_[i] : 0.0;
+    if (after != before)
+      for (const double side : {-1.0, 0.0, 1.0})
+        if (side == 0.0 || half_patch > 0.0) found.push_back(distance_[i] + side * half_patch);
+    before = after;
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 std::size_t Profile::piece(double distance) const {

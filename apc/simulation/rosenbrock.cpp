@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apc/base/require.h"
+#include "apc/simulation/overrun_run.h"
 
 namespace apc::simulation {
 namespace {
@@ -39,11 +40,23 @@ void StepControl::start() {
   rejected_ = false;
 }
 
-double StepControl::step(double speed) { return h_ = std::min(h_, longest_way_ / std::max(1.0, std::abs(speed))); }
+double StepControl::step(double speed, double at_most) {
+  constexpr double middle = 20.0, slowest = 0.5 * middle;  // m/s
+  const double ease = middle / std::max(slowest, std::abs(speed));
+  tolerance_ = rtol_ * (ease * ease);
+  h_ = std::min(h_, longest_way_ / std::max(1.0, std::abs(speed)));
+  planned_ = at_most < h_ ? h_ : 0.0;
+  return h_ = std::min(h_, at_most);
+}
 
 bool StepControl::accepts(double size, double time, const double* y, int degrees) {
-  const double h = h_, error = size / rtol_;
+  const double h = h_, error = size / tolerance_;
   const bool finite = std::isfinite(error);
+  if (finite && error <= 1.0 && planned_ > 0.0) {  // a step cut short says little about the next one
+    rejected_ = false;
+    h_ = std::min(planned_, 0.9 * h / fourth_root(std::max(error, 1e-8)));
+    return true;
+  }
   if (finite && error <= 1.0) {
     double factor = fourth_root(std::max(error, 1e-8)) / 0.9;
     if (last_h_ > 0.0)
@@ -125,7 +138,7 @@ double Rosenbrock::step() {
     for (std::size_t i = 0; i < states; ++i) work_.dfdt[i] = (work_.f[i] - work_.f0[i]) / dt;
   }
   for (;;) {
-    const double h = control_.step(work_.y[static_cast<std::size_t>(work_.degrees)]);
+    const double h = control_.step(work_.y[static_cast<std::size_t>(work_.degrees)], time_to_corner(plant_, moment_));
     if (control_.accepts(attempt(h), time_, work_.y.data(), work_.degrees)) {
       dense_[0] = work_.y;
       dense_[1] = work_.y = work_.next;

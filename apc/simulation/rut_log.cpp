@@ -15,12 +15,30 @@ void RutLog::write(double distance, const Rut& rut) {
   auto &last = entries_[n - 1], &middle = entries_[n - 2];
   const double h1 = distance - distances_[n - 2], per_h1 = 1.0 / h1;
   for (int k = 0; k < 4; ++k) last.slope[k] = (last.value[k] - middle.value[k]) * per_h1;
-  if (n == 2) {
+  if (begins(n - 2)) {
     for (int k = 0; k < 4; ++k) middle.slope[k] = last.slope[k];
   } else {  // of the parabola through three points; the middle one still holds the secant before it
+    auto& first = entries_[n - 3];
     const double h0 = distances_[n - 2] - distances_[n - 3], per_both = 1.0 / (h0 + h1);
-    for (int k = 0; k < 4; ++k) middle.slope[k] = (middle.slope[k] * h1 + last.slope[k] * h0) * per_both;
+    const bool at_the_beginning = begins(n - 3);
+    for (int k = 0; k < 4; ++k) {
+      const double secant = middle.slope[k];
+      middle.slope[k] = (secant * h1 + last.slope[k] * h0) * per_both;
+      if (at_the_beginning) first.slope[k] = 2.0 * secant - middle.slope[k];
+    }
   }
+}
+
+/// Entry i is the first of a smooth piece.
+bool RutLog::begins(std::size_t i) const { return i == 0 || distances_[i] == distances_[i - 1]; }
+
+void RutLog::turn() {
+  const std::size_t n = entries_.size();
+  if (n == 0 || begins(n - 1)) return;
+  if (!begins(n - 2))  // the end of the parabola through the last three
+    for (int k = 0; k < 4; ++k) entries_[n - 1].slope[k] = 2.0 * entries_[n - 1].slope[k] - entries_[n - 2].slope[k];
+  distances_.push_back(distances_.back());
+  entries_.push_back(entries_.back());
 }
 
 double RutLog::last_distance() const { return entries_.empty() ? -1e300 : distances_.back(); }

@@ -22,6 +22,8 @@ class RutLog {
  public:
   /// Ignored unless `distance` lies at least 1 mm beyond the last entry.
   void write(double distance, const Rut&);
+  /// The track turns sharply at the last entry: slopes before and after it are not those of one curve.
+  void turn();
   /// Nothing (depth 0) before the first entry; the last entry beyond the last.
   Rut at(double distance) const;
   /// The same without its slopes.
@@ -44,6 +46,7 @@ class RutLog {
   void clear();
 
  private:
+  bool begins(std::size_t entry) const;
   template <bool with_slopes>
   Rut read(double distance, std::size_t& near) const;
   std::vector<double> distances_;  ///< apart from the entries, so that a search passes over few bytes

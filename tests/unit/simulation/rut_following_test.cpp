@@ -20,6 +20,34 @@ TEST(RutLog, ReadsBackASmoothTrack) {
   }
 }
 
+TEST(RutLog, ReadsBackATrackThatTurnsAtACorner) {
+  // Two slopes, as behind a ramp: exact on both sides when the log is told, rounded off by its cubics when not.
+  const auto track = [](double x) { return 0.2 + 0.03 * std::min(x - 5.0, 0.0); };
+  RutLog told, untold;
+  for (int i = 0; i <= 50; ++i) {
+    const double x = 0.2 * i;
+    for (auto* log : {&told, &untold}) log->write(x, {track(x), 0.4, 1e4, 2e4});
+    if (i == 25) told.turn(), told.turn();
+  }
+  double rounded = 0.0;
+  for (double x = 4.5; x < 5.5; x += 0.013) {
+    EXPECT_NEAR(told.at(x).depth, track(x), 1e-14) << x;
+    EXPECT_NEAR(told.at(x).depth_slope, x < 5.0 ? 0.03 : 0.0, 1e-12) << x;
+    rounded = std::max(rounded, std::abs(untold.at(x).depth - track(x)));
+  }
+  EXPECT_GT(rounded, 1e-4);
+}
+
+TEST(RutLog, HasTheEndOfAParabolaOnBothSidesOfATurn) {
+  const auto track = [](double x) { return x < 3.0 ? 0.1 + 0.01 * x * x : 0.19 + 0.02 * (x - 3.0) * (x - 3.0); };
+  RutLog log;
+  for (int i = 0; i <= 30; ++i) {
+    log.write(0.2 * i, {track(0.2 * i), 0.4, 1e4, 2e4});
+    if (i == 15) log.turn();
+  }
+  for (double x = 0.05; x < 5.7; x += 0.05) EXPECT_NEAR(log.at(x).depth, track(x), 1e-12) << x;
+}
+
 TEST(RutLog, HoldsNothingBeforeItsFirstEntry) {
   RutLog log;
   EXPECT_EQ(log.at(1.0).depth, 0.0);

@@ -101,31 +101,68 @@ Model shipped_model(const std::string& aircraft, const std::string& bed_name) {
 }
 
 TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed) {
-  // Against the same method at a thousandth of the tolerance, whose own error the tests above bound. Three fast
-  // overruns of the B747-400 in the raised bed are nearly unstable: its bogies bounce in the ruts they dig and every
-  // small error grows. They miss the millimetre and are counted here, so that they cannot become more unseen.
   for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
-    double worst = 0.0;
-    int runs = 0, beyond = 0;
+    double worst = 0.0, squares = 0.0;
+    int runs = 0;
     for (const auto* bed : {"emas_14in_50psi", "emas_18in_50psi", "emas_18in_50psi_raised", "emas_24in_50psi"}) {
       const auto model = shipped_model(name, bed);
       for (double knots = 30.0; knots <= 80.0; knots += 10.0)
         for (const double braking : {0.0, 0.25}) {
           const auto overrun = at(knots, braking);
-          const double exact = simulate(model, overrun, with(1e-9, Method::fast)).stop_distance;
+          const double exact = simulate(model, overrun, with(1e-9)).stop_distance;
           const double error = std::abs(simulate(model, overrun, with(1e-6, Method::fast)).stop_distance - exact);
           ++runs;
           worst = std::max(worst, error);
-          if (error > 1e-3) {
-            ++beyond;
-            std::printf("V9 %s %s %.0f kt braked %.2f: %.2f mm of %.2f m\n", name, bed, knots, braking, 1e3 * error,
-                        exact);
-          }
+          squares += error * error;
+          EXPECT_LT(error, 1e-3) << name << " " << bed << " " << knots << " kt, braked " << braking << ", stop "
+                                 << exact;
         }
     }
-    std::printf("V9 %s: %d runs, worst %.2f mm, %d beyond a millimetre\n", name, runs, 1e3 * worst, beyond);
-    EXPECT_LE(beyond, std::string(name) == "B747-400" ? 3 : 0) << name;
-    EXPECT_LT(worst, 0.1) << name;
+    std::printf("V9 %s: %d runs against CVODE at 1e-9, worst %.2f mm, rms %.2f mm\n", name, runs, 1e3 * worst,
+                1e3 * std::sqrt(squares / runs));
+  }
+}
+
+/// What bounces most: bogies that climb the raised bed's ramp and meet their own ruts behind its corner.
+TEST(StopDistance, WhereBogiesBounceInTheirRutsBothMethodsConvergeToTheSame) {
+  const auto model = shipped_model("B747-400", "emas_18in_50psi_raised");
+  for (const auto& overrun : {at(70), at(80), at(80, 0.25)}) {
+    const double exact = simulate(model, overrun, with(1e-10)).stop_distance;
+    std::printf("V9 raised, %.0f kt braked %.2f, %.3f m; reference:", overrun.entry_speed / units::kt, overrun.braking,
+                exact);
+    // Errors grow on the way by the factor below, so one run's may change sign; each has to keep its decade.
+    for (const double rtol : {1e-7, 1e-8, 1e-9}) {
+      const double reference = simulate(model, overrun, with(rtol)).stop_distance - exact;
+      const double fast = simulate(model, overrun, with(rtol, Method::fast)).stop_distance - exact;
+      std::printf("  %.0e: %+.4f, fast %+.4f mm", rtol, 1e3 * reference, 1e3 * fast);
+      const double allowed = rtol > 5e-8 ? 0.5e-3 : rtol > 5e-9 ? 1e-4 : 3e-5;
+      EXPECT_LT(std::abs(reference), allowed) << rtol;
+      EXPECT_LT(std::abs(fast), allowed) << rtol;
+    }
+    std::printf("\n");
+  }
+}
+
+TEST(StopDistance, MovesInProportionWithASmallChangeOfTheEntry) {
+  // No chaos in the raised bed either: its stop answers like the level bed's, and in proportion over two decades.
+  for (const auto* bed : {"emas_18in_50psi", "emas_18in_50psi_raised"}) {
+    const auto model = shipped_model("B747-400", bed);
+    const auto options = with(1e-10, Method::fast);
+    const auto stop = [&](double faster) {
+      auto overrun = at(70);
+      overrun.entry_speed += faster;
+      return simulate(model, overrun, options).stop_distance;
+    };
+    const double base = stop(0.0);
+    std::printf("V9 %s: metres of stop per m/s of entry:", bed);
+    double first = 0.0;
+    for (const double faster : {1e-4, 1e-5, 1e-6}) {
+      const double gain = (stop(faster) - base) / faster;
+      std::printf("  %.0e m/s %.3f", faster, gain);
+      if (first == 0.0) first = gain;
+      EXPECT_NEAR(gain, first, 0.1 * std::abs(first)) << bed << " " << faster;
+    }
+    std::printf("\n");
   }
 }
 
