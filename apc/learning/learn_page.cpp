@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "apc/base/markup.h"
+
 namespace apc::learning {
 namespace {
 
@@ -28,7 +30,7 @@ std::string ranked(const Diagnosis& d) {
   for (std::size_t i = 0; i < n; ++i) {
     const Explanation& x = d.explanations[i];
     const double y = 26.0 * static_cast<double>(i) + 6.0;
-    svg += format("<text x='250' y='%.0f' text-anchor='end'>", y + 14) + name_of_explanation(x) + "</text>";
+    svg += format("<text x='250' y='%.0f' text-anchor='end'>", y + 14) + escaped(name_of_explanation(x)) + "</text>";
     svg += format("<rect x='260' y='%.0f' width='%.1f' height='18' class='bar'/>", y,
                   std::max(1.0, 300.0 * x.probability));
     svg += format("<text x='%.0f' y='%.0f'>P %.2f, ln E %+.0f</text>", 268.0 + 300.0 * x.probability, y + 14,
@@ -73,7 +75,8 @@ std::string strip(const Background& b) {
                            static_cast<int>(24 * b.training + 30));
   for (std::size_t r = 0; r < b.training; ++r) {
     const RunLayout& at = b.layout.runs[r];
-    svg += format("<text x='60' y='%d' text-anchor='end'>", static_cast<int>(24 * r + 18)) + b.runs[r].id + "</text>";
+    svg += format("<text x='60' y='%d' text-anchor='end'>", static_cast<int>(24 * r + 18)) + escaped(b.runs[r].id) +
+           "</text>";
     for (Eigen::Index k = 0; k < at.blocks; ++k) {
       const double v = std::clamp(b.eta[at.main_blocks + k] / 0.25, -1.0, 1.0),
                    x = 66.0 + 640.0 * static_cast<double>(k) * b.layout.spacing / reach;
@@ -94,10 +97,11 @@ std::string strip(const Background& b) {
 std::string learn_page(const Study& study) {
   const Background& b = study.background;
   const Diagnosis& d = study.diagnosis;
+  const std::string title = escaped(b.data->title);
   std::string page =
       "<!doctype html><html lang='en'><meta charset='utf-8'><meta name='viewport' "
       "content='width=device-width'><title>" +
-      b.data->title +
+      title +
       "</title><style>:root{--bg:#fbfbf9;--ink:#18232d;--line:#d9dfe4;--mark:#566572;--model:#bd4f06;--bad:#a31621;"
       "color-scheme:light}@media (prefers-color-scheme:dark){:root{--bg:#11171d;--ink:#e6ecf1;--line:#2e3b47;"
       "--mark:#9fb0be;--model:#f59e62;--bad:#ff8078;color-scheme:dark}}@media print{:root{--bg:#fff;--ink:#111;"
@@ -109,11 +113,11 @@ std::string learn_page(const Study& study) {
       ".wide{overflow-x:auto}table{border-collapse:collapse;min-width:34em}td,th{padding:2px 10px;text-align:left;"
       "border-bottom:1px solid var(--line)}"
       "</style><h1>" +
-      b.data->title +
+      title +
       "</h1><p style='color:var(--bad)'><strong>Experimental: the probabilities are not calibrated; quote none "
       "of them.</strong></p><p><strong>Verdict: " +
       text(d.verdict) + "</strong>";
-  if (!d.learned.empty()) page += ": a force that follows \"" + d.learned + "\", none of the catalogue";
+  if (!d.learned.empty()) page += ": a force that follows \"" + escaped(d.learned) + "\", none of the catalogue";
   page +=
       ".</p><h2>What explains the runs</h2><p>Probability after the background: block scatter, table error, entry "
       "conditions and instruments.</p>" +
@@ -122,20 +126,20 @@ std::string learn_page(const Study& study) {
     page += "<div class='wide'><table><tr><th>effect<th>probability<th>family-wise p<th>size (SI)<th>law</tr>";
     for (const Claim& c : d.claims) {
       const double deviation = c.deviation.empty() ? std::nan("") : c.deviation.front();
-      page += "<tr><td>" + c.id +
+      page += "<tr><td>" + escaped(c.id) +
               format("<td>%.2f<td>%.4f<td>%.4g ± %.2g<td>", c.probability, c.p_family_wise, c.applied.values.front(),
                      deviation) +
-              c.applied.effect.law + "</tr>";
+              escaped(c.applied.effect.law) + "</tr>";
     }
     page += "</table></div>";
   }
   page += "<h2>Cannot be told apart</h2>";
   if (d.rivals.empty()) page += "<p>No two leading effects look alike in these runs.</p>";
   for (const Rival& r : d.rivals)
-    page += "<p>" + r.a + " | " + r.b +
+    page += "<p>" + escaped(r.a) + " | " + escaped(r.b) +
             format(": correlation %+.2f, %.1f deviations apart</p>", r.correlation, r.separability);
   page += "<h2>Not missing above</h2><p>Smallest amplitude seen with 90 % power (SI):";
-  for (const auto& [name, value] : d.smallest_detectable) page += " " + name + format(" %.3g;", value);
+  for (const auto& [name, value] : d.smallest_detectable) page += " " + escaped(name) + format(" %.3g;", value);
   page +=
       "</p><h2>Where it fails</h2><p>Strength of the bed the fit needed under the main gear: red softer, blue harder "
       "by up to 25 %.</p>" +
@@ -145,11 +149,11 @@ std::string learn_page(const Study& study) {
       "speed.</p>";
   for (std::size_t r = 0; r < b.training; ++r)
     for (std::size_t c = 0; c < b.runs[r].channels.size(); ++c)
-      page += "<h3>" + b.runs[r].id + ", " + name_of(b.runs[r].channels[c].quantity) + " (SI)</h3>" +
+      page += "<h3>" + escaped(b.runs[r].id) + ", " + name_of(b.runs[r].channels[c].quantity) + " (SI)</h3>" +
               overlay(b, r, b.runs[r].channels[c], c);
   if (!b.data->remarks.empty()) page += "<h2>Data</h2>";
   for (const DataRemark& remark : b.data->remarks)
-    page += "<p>" + remark.run + " " + remark.channel + ": " + remark.text + "</p>";
+    page += "<p>" + escaped(remark.run) + " " + escaped(remark.channel) + ": " + escaped(remark.text) + "</p>";
   return page + "</html>\n";
 }
 

@@ -22,32 +22,6 @@ std::vector<Tick> ticks(double low, double high, const Scale& scale, int count) 
   return out;
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += letter;
-    }
-  }
-  return out;
-}
-
 std::string pixel(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", value);

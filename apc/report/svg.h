@@ -1,10 +1,10 @@
-/// Small parts that every drawing of a page is made of: axes, ticks, escaped text, coordinates, text in both systems of
-/// units.
+/// Small parts that every drawing of a page is made of: axes, ticks, coordinates, text in both systems of units.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "apc/base/markup.h"
 #include "apc/report/unit_system.h"
 
 namespace apc::report {
@@ -24,9 +24,6 @@ struct Tick {
 
 /// About `count` round numbers (1, 2 or 5 times a power of ten, in the scale's unit) within [low, high] (SI).
 std::vector<Tick> ticks(double low, double high, const Scale&, int count);
-
-/// `&`, `<`, `>` and quotes as entities.
-std::string escaped(const std::string& text);
 
 /// A coordinate with one decimal, enough for a pixel.
 std::string pixel(double value);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apc/base/markup.h"
 #include "apc/base/require.h"
 #include "apc/base/units.h"
 
@@ -68,13 +69,6 @@ std::string quoted(const std::string& text) {
     out += static_cast<unsigned char>(letter) < 32 ? ' ' : letter;
   }
   return "\"" + out + "\"";
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char letter : text)
-    out += letter == '<' ? "&lt;" : letter == '>' ? "&gt;" : letter == '&' ? "&amp;" : std::string(1, letter);
-  return out;
 }
 
 /// Pieces of the bed between the corners of its profile, with their depths.

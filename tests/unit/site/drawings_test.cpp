@@ -87,7 +87,7 @@ TEST(Kml, ClosesEveryTagAndRingAndEscapesNames) {
     open.pop_back();
   }
   EXPECT_TRUE(open.empty());
-  EXPECT_NE(text.find("end &lt;\"27\"&gt; &amp; more"), std::string::npos);
+  EXPECT_NE(text.find("end &lt;&quot;27&quot;&gt; &amp; more"), std::string::npos);
   const std::regex ring("<LinearRing><coordinates>([^<]*)</coordinates>");
   int rings = 0;
   for (std::sregex_iterator each(text.begin(), text.end(), ring), end; each != end; ++each, ++rings) {
