@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "tests/scenarios/program.h"
+#include "tests/scenarios/refusal.h"
 
 namespace apc::scenarios {
 namespace {
@@ -15,19 +15,6 @@ struct Mistake {
 
 void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
 
-/// The promise itself: one line on stderr, nothing on stdout, exit 2, the folder as it was.
-void expect_refusal(const Folder& folder, const std::vector<std::string>& words,
-                    const std::vector<std::string>& mentions) {
-  const auto before = folder.files();
-  const auto said = run(folder, words);
-  EXPECT_EQ(said.exit_code, 2) << said.err;
-  EXPECT_EQ(said.error_lines(), 1u) << said.err;
-  EXPECT_EQ(said.out, "");
-  for (const auto& part : mentions)
-    EXPECT_NE(said.err.find(part), std::string::npos) << "no \"" << part << "\" in: " << said.err;
-  EXPECT_EQ(folder.files(), before);
-}
-
 class BadBed : public testing::TestWithParam<Mistake> {};
 
 TEST_P(BadBed, IsRefusedBySimulateAndCheck) {
@@ -35,8 +22,8 @@ TEST_P(BadBed, IsRefusedBySimulateAndCheck) {
   folder.write("bed.json", GetParam().bed);
   auto mentions = GetParam().mentions;
   mentions.push_back("bed.json");
-  expect_refusal(folder, {"simulate", "--aircraft", "B737-800", "--bed", "bed.json", "--speed", "70 kt"}, mentions);
-  expect_refusal(folder, {"check", "bed.json"}, mentions);
+  expect_refused(folder, {"simulate", "--aircraft", "B737-800", "--bed", "bed.json", "--speed", "70 kt"}, mentions);
+  expect_refused(folder, {"check", "bed.json"}, mentions);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -71,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(BadInput, UnknownMaterialIsNamedWithTheOnesThereAre) {
   const Folder folder;
   folder.write("bed.json", with(good_bed(), "foam_50psi", "foam_51psi"));
-  expect_refusal(folder, {"simulate", "--aircraft", "B737-800", "--bed", "bed.json", "--speed", "70 kt"},
+  expect_refused(folder, {"simulate", "--aircraft", "B737-800", "--bed", "bed.json", "--speed", "70 kt"},
                  {"bed.json /material", "foam_51psi", "foam_50psi"});
 }
 
@@ -96,7 +83,7 @@ TEST_P(BadArgument, IsRefused) {
   give("--bed", "bed.json");
   give("--speed", "70 kt");
   all.insert(all.end(), words.begin(), words.end());
-  expect_refusal(folder, all, GetParam().mentions);
+  expect_refused(folder, all, GetParam().mentions);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -124,12 +111,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(BadInput, UnknownCommandGetsTheNearestOne) {
   const Folder folder;
-  expect_refusal(folder, {"simulat"}, {"simulat", "Did you mean \"simulate\"?"});
+  expect_refused(folder, {"simulat"}, {"simulat", "Did you mean \"simulate\"?"});
 }
 
 TEST(BadInput, MissingRequiredOptionIsNamed) {
   const Folder folder;
-  expect_refusal(folder, {"simulate", "--aircraft", "B737-800"}, {"--bed"});
+  expect_refused(folder, {"simulate", "--aircraft", "B737-800"}, {"--bed"});
 }
 
 TEST(BadInput, TruncatedAndForeignTablesAreNamed) {
@@ -139,20 +126,20 @@ TEST(BadInput, TruncatedAndForeignTablesAreNamed) {
   const std::vector<std::string> words{"simulate", "--aircraft", "B737-800", "--bed", "bed.json",
                                        "--speed",  "70 kt",      "--loads",  "tables"};
   folder.write("tables/H27x7.7-15_foam_50psi.h5", "this is no table");
-  expect_refusal(folder, words, {"tables"});
-  expect_refusal(folder, {"check", "tables/H27x7.7-15_foam_50psi.h5"}, {"H27x7.7-15_foam_50psi.h5", "HDF5"});
+  expect_refused(folder, words, {"tables"});
+  expect_refused(folder, {"check", "tables/H27x7.7-15_foam_50psi.h5"}, {"H27x7.7-15_foam_50psi.h5", "HDF5"});
   const auto whole = text_of(PROJECT_DIR "/loadtables/data/H27x7.7-15_foam_50psi.h5");
   ASSERT_GT(whole.size(), 1000u);
   folder.write("tables/H27x7.7-15_foam_50psi.h5", whole.substr(0, whole.size() / 2));
-  expect_refusal(folder, words, {"tables"});
-  expect_refusal(folder, {"check", "tables/H27x7.7-15_foam_50psi.h5"}, {"H27x7.7-15_foam_50psi.h5"});
+  expect_refused(folder, words, {"tables"});
+  expect_refused(folder, {"check", "tables/H27x7.7-15_foam_50psi.h5"}, {"H27x7.7-15_foam_50psi.h5"});
 }
 
 TEST(BadInput, OutputThatCannotBeWrittenLeavesNothing) {
   const Folder folder;
   folder.write("bed.json", good_bed());
   folder.write("in_the_way", "a file where a folder is wanted");
-  expect_refusal(folder,
+  expect_refused(folder,
                  {"simulate", "--aircraft", "B737-800", "--bed", "bed.json", "--speed", "70 kt", "-o", "in_the_way"},
                  {"in_the_way"});
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/scenarios/design_files.h"
+#include "tests/scenarios/refusal.h"
 
 namespace apc::scenarios {
 namespace {
