@@ -36,6 +36,7 @@ std::string fingerprint(const RollingCase& c) {
                          c.friction,
                          c.bed_half_width,
                          c.outer_wall ? 1.0 : 0.0,
+                         c.hold_bottom ? 1.0 : 0.0,
                          c.ahead,
                          c.behind,
                          c.press_speed,

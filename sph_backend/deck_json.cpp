@@ -13,6 +13,12 @@ namespace {
 
 bool is_object(const Json& file, const char* key) { return file.has(key) && file.raw().at(key).is_object(); }
 
+WheelSpin read_spin(const Json& file) {
+  const std::string word = file.text("spin", "free");
+  file.check(word == "free" || word == "driven" || word == "locked", "spin", "is none of free, driven and locked.");
+  return word == "driven" ? WheelSpin::driven : word == "locked" ? WheelSpin::locked : WheelSpin::free;
+}
+
 void check_case(const Json& file, const RollingCase& c) {
   using units::in;
   const auto inches = [](double length) { return concat(length / in, " in"); };
@@ -96,6 +102,10 @@ RollingCase read_deck(const Json& file, const DeckNames& names) {
   c.ahead = file.quantity("ahead", length, c.ahead), c.behind = file.quantity("behind", length, c.behind);
   c.press_speed = file.quantity("press_speed", speed, c.press_speed);
   c.accelerate_distance = file.quantity("accelerate_distance", length, c.accelerate_distance);
+  c.entry = file.quantity("entry", length, c.entry);
+  file.check(c.entry >= 0.0 && c.entry < 20.0, "entry",
+             "must lie in [0, 20 m]: the way along which the wheel comes down.");
+  c.spin = read_spin(file);
   c.fall = file.number("fall", c.fall);
   file.check(std::abs(c.fall) <= 0.1, "fall", "must lie in [-0.1, 0.1]: the wheel's way down per length of way.");
   c.release_spin_ratio = file.number("release_spin_ratio", c.release_spin_ratio);

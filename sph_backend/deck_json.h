@@ -4,7 +4,8 @@
 ///       "bed_depth": "24 in", "penetration": "16 in", "speed": "70 kt", "spacing": "2 in", "friction": 0.3 }
 /// `tire` is a name, or an object with the keys of apc-tire/1; `material` a name or path, or an object of
 /// apc-material/1. Optional: spacing, friction, bed_half_width, outer_wall, ahead, behind, press_speed,
-/// accelerate_distance, release_spin_ratio, viscosity {alpha, beta}, cfl, longest, load_tolerance, spin_tolerance.
+/// accelerate_distance, entry, spin, fall, release_spin_ratio, viscosity {alpha, beta}, cfl, longest, load_tolerance,
+/// spin_tolerance.
 /// Quantities may be written in lbf-in-s: "3.75e-5 lbf s^2/in^4".
 #pragma once
 

@@ -2,6 +2,9 @@
 /// itself (none is the remainder of the others), so the residual measures the quality of the run.
 #pragma once
 
+#include <string>
+#include <vector>
+
 namespace apc::sph {
 
 /// All in J, of the modelled half, since the start of the run.
@@ -31,5 +34,14 @@ struct EnergyAccount {
   /// (input − accounted)/input.
   double residual() const { return input() != 0.0 ? (input() - accounted()) / input() : 0.0; }
 };
+
+/// One line of the account, J.
+struct EnergyTerm {
+  std::string name;
+  double value = 0.0;
+};
+std::vector<EnergyTerm> energy_in(const EnergyAccount&);
+/// The hourglass line only where there is one.
+std::vector<EnergyTerm> energy_out(const EnergyAccount&);
 
 }  // namespace apc::sph

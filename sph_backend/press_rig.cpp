@@ -33,7 +33,8 @@ PressResult press(const PressCase& given) {
 
   PressResult result;
   press_block(given, bed, bed.half_width * spec.columns * spec.spacing, result);
-  result.compaction = inspect(bed).compaction;
+  const BedState state = inspect(bed);
+  result.compaction = state.compaction, result.bytes_per_particle = state.bytes_per_particle;
   result.particles = bed.alive, result.steps = static_cast<double>(bed.steps);
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.particle_steps_per_s = static_cast<double>(bed.particle_steps) / result.wall_s;

@@ -34,6 +34,7 @@ struct PressResult {
   double internal = 0.0, viscous = 0.0, damping = 0.0, kinetic = 0.0, hourglass = 0.0;  ///< J, at the end
   double contact = 0.0, radius = 0.0;  ///< stored and damped; work of the shrinking contact radius
   double compaction = 0.0;
+  double bytes_per_particle = 0.0;  ///< of the arrays that grow with the particles
   double particles = 0.0, steps = 0.0, particle_steps_per_s = 0.0, wall_s = 0.0;
 };
 

@@ -31,6 +31,7 @@ struct RollingCase {
   double bed_half_width = 0.0;  ///< m; 0 = half the tire's width + bed_margin times its width
   double bed_margin = 0.5;      ///< free width beside the tire in tire widths
   bool outer_wall = true;       ///< mirror plane at the half-width, otherwise a free face
+  bool hold_bottom = true;      ///< lowest layer held on the rigid plane, otherwise free to slip on it
   double ahead = 0.0;           ///< m of free foam ahead of the axle; 0 = first touch + 0.35 R (at least 5 spacings)
   double behind = 0.0;          ///< m behind once it rolls; 0 = R (at least 8 spacings)
   double press_speed = 0.0;     ///< m/s, highest while pressing; 0 = 0.6 of `speed`, 4 to 15 m/s

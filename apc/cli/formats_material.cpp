@@ -45,11 +45,14 @@ FormatNote describe_sph() {
           {"penetration", "length", "required", "undeformed tire's lowest point below the surface", "\"16 in\""},
           {"spacing", "length", "optional; for tire and depth", "of the particles", "\"2 in\""},
           {"friction", "number", "optional; 0.3", "of tire on foam", "0.3"},
-          {"bed_half_width", "length", "optional; 1.3 tire widths", "from the wheel plane outwards", "\"24 in\""},
+          {"spin", "text", "optional; \"free\"", "free, driven (held at v/R) or locked", "\"free\""},
+          {"entry", "length", "optional; 0", "roll in at full speed along this way instead of pressing in at rest",
+           "\"50 in\""},
+          {"bed_half_width", "length", "optional; a tire width", "from the wheel plane outwards", "\"24 in\""},
           {"outer_wall", "true or false", "optional; true", "mirror plane at the half-width, or a free face", "true"},
           {"viscosity.alpha", "number", "optional; 0.1", "artificial viscosity, linear", "0.1"},
           {"viscosity.beta", "number", "optional; 2", "artificial viscosity, quadratic", "2.0"},
-          {"cfl", "number", "optional; 0.25", "time step over h / sound speed", "0.25"},
+          {"cfl", "number", "optional; 0.35", "time step over h/(sound speed + speed)", "0.25"},
           {"longest", "length", "optional; ten radii", "travel after which a run counts as unsettled", "\"220 in\""},
       }};
 }

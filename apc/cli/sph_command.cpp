@@ -51,21 +51,8 @@ report::RollingRecord as_record(const SphDeck& deck, const sph::RollingResult& r
   record.spin_change = result.spin_change;
   record.internal_energy_rate = result.internal_energy_rate;
   record.residual = result.residual;
-  const auto& energy = result.energy;
-  record.energy_in = {{"work of the axle", energy.axle_work}, {"work of spinning up", energy.spin_work}};
-  record.energy_out = {{"foam, internal", energy.foam_internal},
-                       {"foam, kinetic", energy.foam_kinetic},
-                       {"artificial viscosity", energy.viscosity},
-                       {"foam damping", energy.foam_damping},
-                       {"friction", energy.friction},
-                       {"contact, stored", energy.contact_penalty},
-                       {"contact damping", energy.contact_damping},
-                       {"contact radius", energy.contact_radius},
-                       {"tire, stored", energy.tire_stored},
-                       {"tire, kinetic", energy.tire_kinetic},
-                       {"tire damping", energy.tire_damping},
-                       {"wheel spin", energy.wheel_kinetic},
-                       {"left with the window", energy.removed}};
+  for (const auto& [name, joule] : sph::energy_in(result.energy)) record.energy_in.emplace_back(name, joule);
+  for (const auto& [name, joule] : sph::energy_out(result.energy)) record.energy_out.emplace_back(name, joule);
   record.compaction = result.compaction;
   record.partition_min = result.partition_min;
   record.partition_mean = result.partition_mean;

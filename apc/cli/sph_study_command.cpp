@@ -1,8 +1,10 @@
-/// `apc sph verify|converge|bench`: the published cases, their convergence, and the throughput of this machine.
+/// `apc sph verify|converge|bench`: the published cases by particles and elements, their convergence, what their unsaid
+/// choices move, and the throughput of this machine.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 #include "apc/base/file.h"
@@ -18,19 +20,59 @@ namespace apc::cli {
 namespace {
 
 struct StudyWords {
-  std::string study, spacing, sizes;
-  double friction = -1.0;
+  std::string study, spacing, sizes, method, spin = "free", entry, elements = "one_point", hourglass = "stiffness";
+  std::filesystem::path checkpoints;
+  double friction = -1.0, hourglass_factor = 0.05;
+  bool span = false;
   unsigned threads = 0;
 };
 
+/// What a word stands for; InputError naming the choices.
+template <class T>
+T choice(const std::string& option, const std::string& word, const std::vector<std::pair<std::string, T>>& choices) {
+  std::string known;
+  for (const auto& [name, value] : choices) {
+    if (name == word) return value;
+    known += (known.empty() ? "" : ", ") + name;
+  }
+  throw InputError(concat(option, ": \"", word, "\" is none of ", known));
+}
+
 sph::StudyOptions options_of(const StudyWords& words, Progress* line) {
   require(words.threads <= 1024, "--threads: ", words.threads, ". Between 1 and 1024 are possible, 0 takes all");
+  require(words.friction <= 2.0, "--friction: ", words.friction, ". Between 0 and 2 are possible");
+  require(words.hourglass_factor >= 0.0 && words.hourglass_factor <= 1.0,
+          "--hourglass-factor: ", words.hourglass_factor, ". Between 0 and 1 are possible");
   sph::StudyOptions options;
   options.friction = words.friction;
+  options.spin = choice<sph::WheelSpin>(
+      "--spin", words.spin,
+      {{"free", sph::WheelSpin::free}, {"driven", sph::WheelSpin::driven}, {"locked", sph::WheelSpin::locked}});
+  if (!words.entry.empty()) {
+    options.entry = option_quantity("--entry", words.entry, dimension::length);
+    require(options.entry > 0.0 && options.entry < 10.0, "--entry: \"", words.entry,
+            "\" is no way to roll in. Try \"50 in\"");
+  }
+  options.elements.integration = choice<sph::fem::Integration>(
+      "--elements", words.elements,
+      {{"one_point", sph::fem::Integration::one_point}, {"full", sph::fem::Integration::full}});
+  options.elements.hourglass = choice<sph::fem::Hourglass>(
+      "--hourglass", words.hourglass,
+      {{"stiffness", sph::fem::Hourglass::stiffness}, {"viscosity", sph::fem::Hourglass::viscosity}});
+  options.elements.hourglass_factor = words.hourglass_factor;
+  options.checkpoint = words.checkpoints;
   options.threads = words.threads == 0 ? hardware_threads() : words.threads;
   options.stop = stop_requested;
   if (line) options.progress = [line](double share, const std::string& remark) { line->show(share, remark); };
   return options;
+}
+
+std::vector<sph::Method> methods_of(const StudyWords& words) {
+  using Methods = std::vector<sph::Method>;
+  return choice<Methods>("--method", words.method,
+                         {{"sph", Methods{sph::Method::sph}},
+                          {"fem", Methods{sph::Method::fem}},
+                          {"both", Methods{sph::Method::sph, sph::Method::fem}}});
 }
 
 double read_size(const std::string& option, const std::string& text) {
@@ -48,12 +90,26 @@ void verify(const StudyWords& words, Settings& settings) {
   const auto study = sph::study_of(words.study);
   const double spacing = words.spacing.empty() ? 2 * units::in : read_size("--h", words.spacing);
   auto line = line_of(settings, concat("SPH case ", words.study));
-  const auto result = sph::verify(study, spacing, options_of(words, line.get()));
+  auto options = options_of(words, line.get());
+  std::vector<sph::Verification> runs;
+  std::vector<sph::SpanRow> span;
+  for (const auto method : methods_of(words)) {
+    options.method = method;
+    runs.push_back(sph::verify(study, spacing, options));
+  }
+  if (words.span) {
+    options.method = runs.front().method;
+    span = sph::span(study, spacing, options);
+  }
   line.reset();
-  if (!settings.json.empty()) write_text(settings.json, verification_json(result));
-  if (!settings.quiet) std::fputs(verification_text(result, settings.units).c_str(), stdout);
-  if (result.state != "steady" && study != sph::Study::platen_1d)
-    throw SolveError(concat(words.study, ": ", result.state, ": the loads did not become steady. Try other sizes"));
+  if (!settings.json.empty()) write_text(settings.json, verification_json(runs, span, settings.command_line));
+  if (!settings.quiet) {
+    std::fputs(verification_text(runs, settings.units).c_str(), stdout);
+    if (!span.empty()) std::fputs(span_text(span, settings.units).c_str(), stdout);
+  }
+  for (const auto& run : runs)
+    if (run.state != "steady" && run.state != "done")
+      throw SolveError(concat(words.study, ": ", run.state, ": ", run.message, ". Try other sizes"));
 }
 
 void converge(const StudyWords& words, Settings& settings) {
@@ -67,10 +123,15 @@ void converge(const StudyWords& words, Settings& settings) {
   if (sizes.empty()) sizes = sph::published_sizes(study);
   require(sizes.size() >= 3, "--sizes: \"", words.sizes, "\" holds fewer than three sizes. Write \"4 in, 2 in, 1 in\"");
   auto line = line_of(settings, concat("convergence of ", words.study));
-  const auto result = sph::converge(study, sizes, options_of(words, line.get()));
+  auto options = options_of(words, line.get());
+  std::vector<sph::Convergence> studies;
+  for (const auto method : methods_of(words)) {
+    options.method = method;
+    studies.push_back(sph::converge(study, sizes, options));
+  }
   line.reset();
-  if (!settings.json.empty()) write_text(settings.json, convergence_json(result));
-  if (!settings.quiet) std::fputs(convergence_text(result, settings.units).c_str(), stdout);
+  if (!settings.json.empty()) write_text(settings.json, convergence_json(studies, settings.command_line));
+  if (!settings.quiet) std::fputs(convergence_text(studies, settings.units).c_str(), stdout);
 }
 
 /// The published tire case at 2 in, rolled for one radius after its release: the same work for every machine.
@@ -107,16 +168,30 @@ void add_sph_studies(CLI::App& sph, Settings& settings) {
     command->callback([words, work, &settings] { work(*words, settings); });
     return std::pair{command, words};
   };
+  const auto add_case = [](CLI::App& command, StudyWords& words, const char* method) {
+    command.add_option("CASE", words.study, "platen_1d, roller_2d, tire_3d or punch_2d")->required()->type_name("");
+    words.method = method;
+    command.add_option("--method", words.method, "sph, fem or both")->capture_default_str();
+    command.add_option("--friction", words.friction, "of tire on foam (default 0 roller, 0.3 tire)");
+    command.add_option("--spin", words.spin, "free, driven (at v/R) or locked")->capture_default_str();
+    command.add_option("--entry", words.entry, "roll in at full speed over this way (default: pressed in)")
+        ->type_name("LENGTH");
+    command.add_option("--elements", words.elements, "one_point or full integration")->capture_default_str();
+    command.add_option("--hourglass", words.hourglass, "stiffness or viscosity")->capture_default_str();
+    command.add_option("--hourglass-factor", words.hourglass_factor, "of that control")->capture_default_str();
+    command.add_option("--checkpoints", words.checkpoints, "folder; an interrupted particle run continues from there")
+        ->type_name("DIR");
+  };
   const auto [verified, verify_words] = add("verify", "a published case beside the published values", verify);
-  verified->add_option("CASE", verify_words->study, "platen_1d, roller_2d or tire_3d")->required()->type_name("");
+  add_case(*verified, *verify_words, "sph");
   verified->add_option("--h", verify_words->spacing, "particle spacing (default \"2 in\")")->type_name("LENGTH");
-  verified->add_option("--friction", verify_words->friction, "of tire on foam (default 0 roller, 0.3 tire)");
+  verified->add_flag("--span", verify_words->span,
+                     "also vary what the study leaves unsaid: friction, spin, entry, ...");
   const auto [converged, converge_words] =
       add("converge", "a published case over several sizes: order, limit, GCI", converge);
-  converged->add_option("CASE", converge_words->study, "platen_1d, roller_2d or tire_3d")->required()->type_name("");
+  add_case(*converged, *converge_words, "both");
   converged->add_option("--sizes", converge_words->sizes, "default: the published ones")
       ->type_name("\"4 in, 2 in, 1 in\"");
-  converged->add_option("--friction", converge_words->friction, "of tire on foam (default 0 roller, 0.3 tire)");
   add("bench", "particle-steps per second of this machine on the published tire case", bench);
 }
 

@@ -40,7 +40,7 @@ FemRun start(const RollingCase& setup, const Elements& elements) {
   start_tire(run, setup);
   MeshSpec spec;
   spec.foam = setup.foam, spec.size = setup.spacing, spec.depth = setup.bed_depth;
-  spec.half_width = setup.bed_half_width, spec.outer_wall = setup.outer_wall;
+  spec.half_width = setup.bed_half_width, spec.outer_wall = setup.outer_wall, spec.hold_bottom = setup.hold_bottom;
   spec.integration = elements.integration, spec.hourglass = elements.hourglass;
   spec.hourglass_factor = elements.hourglass_factor, spec.cfl = elements.cfl;
   const Columns first = window_columns(setup, 0.0);
@@ -107,7 +107,10 @@ void finish(const FemRun& run, RollingResult& result) {
 
 RollingResult roll(const RollingCase& given, const Elements& elements, const RollOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  FemRun run = start(completed(given), elements);
+  RollingCase wider = given;
+  // The sheet behind the wheel springs back for a while; held too early, it would push against the tire.
+  if (wider.behind <= 0.0) wider.behind = 1.05 * wider.tire.diameter;
+  FemRun run = start(completed(wider), elements);
   const RollingCase& setup = run.setup;
   RollingResult result;
   result.state = RunState::did_not_settle;

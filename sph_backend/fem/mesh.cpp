@@ -95,7 +95,8 @@ void integrate(Pass& pass, const Local& local, const Gradient& middle, const Gra
 void resist_hourglass(Mesh& m, const Local& local, const Gradient& middle, const Gradient& end, std::size_t e,
                       Corners& force) {
   const MeshSpec& s = m.spec;
-  const HourglassShapes shapes = hourglass_shapes(local.end, end);
+  // Rates by the shapes at mid-step, forces by those at the end, as for the stress: else a turning element loses work.
+  const HourglassShapes shapes = hourglass_shapes(local.end, end), mid = hourglass_shapes(local.middle, middle);
   auto& q = m.hourglass[e];
   const bool elastic = s.hourglass == Hourglass::stiffness;
   const Foam& foam = s.foam;
@@ -110,7 +111,7 @@ void resist_hourglass(Mesh& m, const Local& local, const Gradient& middle, const
   for (int a = 0; a < modes; ++a) {
     double speed[3] = {};
     for (int i = 0; i < 3; ++i)
-      for (int n = 0; n < corners; ++n) speed[i] += local.velocity[i][n] * shapes[a][n];
+      for (int n = 0; n < corners; ++n) speed[i] += local.velocity[i][n] * mid[a][n];
     double* f = &q[3 * a];
     if (elastic) {
       const double turned[3] = {f[0] + wy * f[2] - wz * f[1], f[1] + wz * f[0] - wx * f[2],

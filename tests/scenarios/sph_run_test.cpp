@@ -41,6 +41,16 @@ TEST(SphRun, RollsATireAndAccountsForItsEnergy) {
   EXPECT_NE(text_of(folder.path() / "o/report.html").find("The rut behind the tire"), std::string::npos);
 }
 
+/// The shipped foam written into the deck, with one entry changed.
+std::string foam(const std::string& from, const std::string& to) {
+  static const std::string text = R"({
+  "schema": "apc-material/1", "name": "own", "source": "made for a test", "density": "25 pcf",
+  "youngs_modulus": "2000 psi", "tension_cutoff": "10 psi",
+  "load_curve": {"strain": [0.0, 0.85, 1.0], "stress": {"unit": "psi", "values": [50, 50, 1500]}},
+  "nominal": {"strength": "50 psi", "density": "25 pcf", "bottoming_strain": 0.85}})";
+  return with(text, from, to);
+}
+
 struct Slip {
   std::string name, from, to;
   std::vector<std::string> mentions;
@@ -67,10 +77,62 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Slip{"UnknownTire", "H44.5x16.5-21", "H44.5x16.5-22", {"/tire", "H44.5x16.5-21"}},
                     Slip{"UnknownMaterial", "foam_50psi", "foam_51psi", {"foam_51psi", "foam_50psi"}},
                     Slip{"TooDeep", "\"6 in\"", "\"30 in\"", {"/penetration", "30 in", "can sink"}},
+                    Slip{"FallingLoadCurve",
+                         "\"foam_50psi\"",
+                         foam("0.85, 1.0", "1.0, 0.85"),
+                         {"/material/load_curve/strain", "does not increase", "0.85 follows 1", "Sort"}},
+                    Slip{"NegativeDensity",
+                         "\"foam_50psi\"",
+                         foam("\"density\": \"25 pcf\",\n", "\"density\": \"-25 pcf\",\n"),
+                         {"/material/density", "-25 pcf", "not positive"}},
+                    Slip{"BedOfThreeParticles",
+                         "\"12 in\"",
+                         "\"9 in\"",
+                         {"/spacing", "thinner than four particles", "9 in at 3 in", "2.25 in"}},
+                    Slip{"SidewaysSpin", "\"3 in\"", "\"3 in\", \"spin\": \"sideways\"", {"/spin", "free, driven"}},
                     Slip{"SpacingOfATire", "\"3 in\"", "\"30 in\"", {"/spacing", "30 in"}},
                     Slip{"BareNumber", "\"70 kt\"", "70", {"/speed", "no unit"}},
                     Slip{"MisspeltKey", "\"spacing\"", "\"spaceing\"", {"/spaceing", "spacing"}}),
     [](const auto& each) { return each.param.name; });
+
+TEST(SphVerify, PutsParticlesAndElementsBesideThePaper) {
+  const Folder folder;
+  const auto said = run(folder, {"sph", "verify", "roller_2d", "--h", "4 in", "--method", "both", "--json", "v.json"});
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "v.json"));
+  EXPECT_NEAR(json.at("reference").at("drag").get<double>() / 195.6e3, 1.0, 1e-3);  // 1,117 lbf/in
+  EXPECT_NEAR(json.at("fem").at("reference").at("drag").get<double>() / 191.1e3, 1.0, 1e-3);
+  for (const auto* method : {&json, &json.at("fem")}) {
+    double sum = method->at("energy_residual").get<double>();
+    for (const auto& share : method->at("energy_shares")) sum += share.get<double>();
+    EXPECT_NEAR(sum, 1.0, 1e-9);
+    EXPECT_LT(std::abs(method->at("energy_residual").get<double>()), 0.015);
+  }
+  EXPECT_EQ(json.at("hourglass_share"), 0.0);
+  EXPECT_GT(json.at("fem").at("hourglass_share").get<double>(), 0.02);
+  EXPECT_GT(json.at("bytes_per_particle").get<double>(), 100.0);
+  EXPECT_LT(json.at("bytes_per_particle").get<double>(), 2000.0);
+  EXPECT_GE(json.at("assumptions").size(), 5u);
+  for (const char* line : {"hourglass over internal", "residual", "bytes per particle", "Not printed in the study"})
+    EXPECT_NE(said.out.find(line), std::string::npos) << line;
+}
+
+TEST(SphVerify, UnknownWordsAreRefused) {
+  const Folder folder;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
+      {{"sph", "verify", "tire_4d"}, "tire_3d"},
+      {{"sph", "verify", "roller_2d", "--method", "bem"}, "sph, fem, both"},
+      {{"sph", "verify", "roller_2d", "--spin", "sideways"}, "free, driven, locked"},
+      {{"sph", "verify", "roller_2d", "--entry", "50"}, "no unit"},
+      {{"sph", "converge", "roller_2d", "--sizes", "2 in"}, "fewer than three"}};
+  for (const auto& [words, mention] : wrong) {
+    const auto said = run(folder, words);
+    EXPECT_EQ(said.exit_code, 2) << said.err;
+    EXPECT_EQ(said.error_lines(), 1u) << said.err;
+    EXPECT_NE(said.err.find(mention), std::string::npos) << said.err;
+  }
+  EXPECT_TRUE(folder.files().empty());
+}
 
 }  // namespace
 }  // namespace apc::scenarios

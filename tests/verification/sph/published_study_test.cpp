@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "apc/base/units.h"
+#include "sph_backend/fem/fem_rig.h"
 #include "sph_backend/press_rig.h"
 #include "sph_backend/tire_rig.h"
 #include "sph_backend/verification.h"
@@ -45,6 +46,72 @@ TEST(Platen, UnloadingIsElasticAndGivesBackLittle) {
   EXPECT_LT(std::abs(back.residual), 0.005);
 }
 
+TEST(Platen, ForceFollowsTheLoadCurve) {
+  PressCase c;
+  c.foam = ideal_foam_50psi();
+  c.width = c.length = 12.0 * in, c.depth = 24.0 * in, c.spacing = 2.0 * in;
+  for (const bool elements : {false, true}) {
+    const PressResult r = elements ? fem::press(c) : press(c);
+    const double area = c.width * c.length;
+    for (const double strain : {0.2, 0.4, 0.6}) {  // means over 5 % of strain: layers collapse one by one
+      double sum = 0.0, count = 0.0;
+      for (std::size_t k = 0; k < r.strain.size(); ++k)
+        if (std::abs(r.strain[k] - strain) < 0.025) sum += r.force[k], count += 1.0;
+      // Particles stand half a layer apart from the platen, so that the rest of the block is a little ahead.
+      EXPECT_NEAR(sum / count / area / c.foam.yield_stress(strain), 1.0, elements ? 0.02 : 0.08) << strain;
+    }
+  }
+}
+
+TEST(Platen, ElementsFollowTheCurveCloserThanParticles) {
+  StudyOptions options;
+  options.method = Method::fem;
+  const Verification coarse = verify(Study::platen_1d, 4.0 * in, options),
+                     fine = verify(Study::platen_1d, 2.0 * in, options);
+  EXPECT_LT(fine.quantities[0].value, coarse.quantities[0].value);
+  EXPECT_LT(fine.quantities[0].value, 0.5 * verify(Study::platen_1d, 2.0 * in).quantities[0].value);
+  EXPECT_LT(std::abs(fine.energy_residual), 1e-3);
+  EXPECT_LT(fine.hourglass_share, 1e-4);
+  options.elements.integration = fem::Integration::full;
+  EXPECT_NEAR(verify(Study::platen_1d, 4.0 * in, options).quantities[0].value, coarse.quantities[0].value, 0.002);
+}
+
+TEST(Punch, ResistsMoreThanItsColumnAndLessAsItIsRefined) {
+  for (const Method method : {Method::sph, Method::fem}) {
+    StudyOptions options;
+    options.method = method;
+    const Verification coarse = verify(Study::punch_2d, 4.0 * in, options),
+                       fine = verify(Study::punch_2d, 2.0 * in, options);
+    EXPECT_GT(fine.quantities[0].value, 1.0);
+    EXPECT_LT(fine.quantities[0].value, coarse.quantities[0].value);
+    EXPECT_LT(std::abs(fine.energy_residual), 0.002);
+  }
+}
+
+TEST(Roller, ElementsCloseTheirAccountWithAnHourglassShare) {
+  StudyOptions options;
+  options.method = Method::fem;
+  const Verification v = verify(Study::roller_2d, 4.0 * in, options);
+  EXPECT_EQ(v.state, "steady");
+  EXPECT_LT(std::abs(v.energy_residual), 0.005);
+  EXPECT_GT(v.hourglass_share, 0.05);
+  EXPECT_LT(v.hourglass_share, 0.2);
+  options.elements.integration = fem::Integration::full;
+  const Verification full = verify(Study::roller_2d, 4.0 * in, options);
+  EXPECT_EQ(full.hourglass_share, 0.0);
+  EXPECT_NEAR(full.quantities[1].value / v.quantities[1].value, 1.0, 0.15);
+}
+
+TEST(Roller, SpinDecidesDragWhereThereIsFriction) {
+  StudyOptions options;
+  options.friction = 0.3;
+  const double free = verify(Study::roller_2d, 4.0 * in, options).quantities[1].value;
+  options.spin = WheelSpin::driven;
+  EXPECT_LT(verify(Study::roller_2d, 4.0 * in, options).quantities[1].value, 0.9 * free);
+  options.spin = WheelSpin::locked;
+  EXPECT_GT(verify(Study::roller_2d, 4.0 * in, options).quantities[1].value, 1.1 * free);
+}
+
 TEST(Roller, CoarseRunClosesItsAccount) {
   const Verification v = verify(Study::roller_2d, 4.0 * in);
   EXPECT_EQ(v.state, "steady");
@@ -70,6 +137,27 @@ TEST(SlowTire, WindowDoesNotDecideTheLoads) {
   const RollingResult wide = roll(c);
   EXPECT_NEAR(narrow.drag / wide.drag, 1.0, 0.01);
   EXPECT_NEAR(narrow.vertical / wide.vertical, 1.0, 0.01);
+}
+
+TEST(SlowTire, WayOfEntryDoesNotDecideTheLoads) {
+  RollingCase c = small_tire();
+  c.load_tolerance = 0.005, c.spin_tolerance = 0.005;
+  const RollingResult pressed = roll(c);
+  c.entry = 20.0 * in;
+  const RollingResult rolled_in = roll(c);
+  EXPECT_EQ(rolled_in.state, RunState::steady);
+  EXPECT_LT(std::abs(rolled_in.residual), 0.03);
+  EXPECT_NEAR(rolled_in.drag / pressed.drag, 1.0, 0.03);
+  EXPECT_NEAR(rolled_in.vertical / pressed.vertical, 1.0, 0.03);
+}
+
+TEST(SlowTire, ElementsCarryTheDeformableTire) {
+  RollingCase c = small_tire();
+  const RollingResult r = fem::roll(c);
+  EXPECT_EQ(r.state, RunState::steady) << r.message;
+  EXPECT_LT(std::abs(r.residual), 0.01);
+  EXPECT_GT(r.energy.hourglass / r.energy.foam_internal, 0.03);
+  EXPECT_NEAR(r.vertical / roll(c).vertical, 1.0, 0.3);  // one-inch cells under a 4.45 in tire
 }
 
 /// On a way that falls by α a rigid wheel gains the share α/sin θ of its vertical load (simulation::Sinking, factor 1).
