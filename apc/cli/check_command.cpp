@@ -11,9 +11,11 @@
 #include "apc/cli/commands.h"
 #include "apc/cli/formats.h"
 #include "apc/cli/inputs.h"
-#include "apc/cli/of_design.h"
+#include "apc/cli/report_run.h"
 #include "apc/cli/sph_deck.h"
 #include "apc/cli/text_table.h"
+#include "apc/effects/catalogue.h"
+#include "apc/learning/diagnosis_json.h"
 #include "apc/reliability/scatter.h"
 #include "apc/site/site.h"
 #include "loadtables/samples.h"
@@ -53,6 +55,22 @@ std::string check_design(const fs::path& path, report::UnitSystem units) {
                 loaded.models.size(), " cases");
 }
 
+std::string check_model(const fs::path& path, report::UnitSystem units) {
+  const auto added = learning::load_overlay(path, effects::catalogue());
+  const auto range = learning::learned_range(path);
+  std::string names;
+  for (const auto& each : added) names += (names.empty() ? "" : ", ") + each.effect.id;
+  if (names.empty()) names = "no effects";
+  if (!(range.slowest > 0.0)) return names;
+  return concat(names, ", learned from ", shown(range.slowest, measure::speed, units), " to ",
+                shown(range.fastest, measure::speed, units));
+}
+
+std::string check_manifest(const fs::path& path) {
+  const auto ask = read_manifest(path);  // version of the program, files unchanged
+  return concat("report of ", ask.of.design, "; the files it was made from are unchanged");
+}
+
 std::string check_json(const fs::path& path, report::UnitSystem units) {
   const auto file = read_json(path);
   const auto schema = file.text("schema");
@@ -76,6 +94,8 @@ std::string check_json(const fs::path& path, report::UnitSystem units) {
     const auto place = site::load_site(path);
     return concat(schema, ": ", place.name, ", safety area ", shown(place.safety_length, measure::distance, units));
   }
+  if (schema == "apc-model/1") return schema + ": " + check_model(path, units);
+  if (schema == "apc-manifest/1") return schema + ": " + check_manifest(path);
   std::vector<std::string> known;
   for (const auto& format : all_formats()) known.push_back(format.schema);
   const auto near = nearest(schema, known.data(), known.size());

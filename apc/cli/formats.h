@@ -32,6 +32,8 @@ FormatNote describe_fleet();
 FormatNote describe_design();
 FormatNote describe_scatter();
 FormatNote describe_site();
+FormatNote describe_model();
+FormatNote describe_manifest();
 
 std::vector<FormatNote> all_formats();
 

@@ -111,4 +111,42 @@ FormatNote describe_design() {
       }};
 }
 
+FormatNote describe_model() {
+  return {
+      "apc-model/1",
+      "effects added to the model, with their values: what --model takes",
+      "JSON, written by apc add and apc learn; the same by hand is as good. \"apc effects list\" names the effects, "
+      "\"apc effects show ID\" their parameters.",
+      {
+          {"schema", "text", "required", "names the format", "\"apc-model/1\""},
+          {"source", "text", "required", "where the values come from", "\"learned from three runs\""},
+          {"effects[].id", "text", "required", "an effect of the catalogue", "\"inertial\""},
+          {"effects[].parameters", "object", "required",
+           "values by name, each with its unit; what is left out keeps its usual value", "{\"C\": 0.3}"},
+          {"learned_on.runs", "list of texts", "optional", "the runs it was learned on", "[\"run1\"]"},
+          {"learned_on.speed", "two speeds", "required within learned_on",
+           "lowest and highest; a warning is given outside", "[\"40 kt\", \"70 kt\"]"},
+          {"learned_on.mass", "two masses", "required within learned_on", "lowest and highest", "[\"20 t\", \"22 t\"]"},
+          {"verdict", "text", "optional", "of the diagnosis", "\"found\""},
+          {"command", "text", "optional", "that wrote it", "\"apc add ...\""},
+      }};
+}
+
+FormatNote describe_manifest() {
+  return {"apc-manifest/1",
+          "what a compliance report was made from, and what came out",
+          "JSON, written by apc report; \"apc report --manifest FILE\" makes the report again, byte for byte. It holds "
+          "for one version of the program and for the files as they were; start in the folder in which it was made.",
+          {
+              {"schema", "text", "required", "names the format", "\"apc-manifest/1\""},
+              {"program", "text", "required", "name and version that made the report", "\"apc 0.1.0\""},
+              {"command", "text", "required", "that made it", "\"apc report --design d/design.json\""},
+              {"files[].role, .path, .sha256, .source", "text", "required", "every file that was read", "\"design\""},
+              {"arguments.design", "text", "required", "the design", "\"d/design.json\""},
+              {"arguments.site, .model, .loads, .tires", "text", "optional", "as given to apc report",
+               "\"example_runway_end\""},
+              {"made[].name, .sha256", "text", "required", "every file that was written", "\"report.html\""},
+          }};
+}
+
 }  // namespace apc::cli

@@ -1,6 +1,7 @@
 #include "apc/learning/diagnosis_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -153,25 +154,38 @@ std::string overlay_json(const Study& study, const std::string& command) {
   return file.dump(1) + "\n";
 }
 
-LearnedRange learned_range(const std::filesystem::path& path) {
-  const Json file = read_json(path);
-  LearnedRange range;
-  if (!file.has("learned_on")) return range;
+namespace {
+
+/// Lowest and highest of two quantities.
+std::array<double, 2> range_of(const Json& on, const char* key, const Dimension& dimension) {
+  const auto values = on.quantities(key, dimension);
+  on.check(values.size() == 2 && values[0] <= values[1], key,
+           R"(needs two values, lowest and highest, such as ["40 kt", "70 kt"])");
+  return {values[0], values[1]};
+}
+
+LearnedRange range_in(const Json& file) {
+  if (!file.has("learned_on")) return {};
   const Json on = file.object("learned_on");
-  const auto pair = [&](const char* key, Dimension dimension) {
-    const auto values = on.texts(key);
-    require(values.size() == 2, path, ": learned_on.", key, ": two values are needed, lowest and highest");
-    return std::array<double, 2>{parse_quantity(values[0], dimension), parse_quantity(values[1], dimension)};
-  };
-  const auto speed = pair("speed", dimension::speed), mass = pair("mass", dimension::mass);
+  on.ignore("runs");
+  const auto speed = range_of(on, "speed", dimension::speed), mass = range_of(on, "mass", dimension::mass);
   return {speed[0], speed[1], mass[0], mass[1]};
 }
+
+}  // namespace
+
+LearnedRange learned_range(const std::filesystem::path& path) { return range_in(read_json(path)); }
 
 std::vector<effects::Applied> load_overlay(const std::filesystem::path& path,
                                            const std::vector<effects::Effect>& known) {
   const Json file = read_json(path);
   file.schema("apc-model/1");
-  return effects::read_applied(file.objects("effects"), known);
+  file.text("source");
+  range_in(file);
+  for (const auto* key : {"verdict", "command"}) file.ignore(key);
+  auto found = effects::read_applied(file.objects("effects"), known);
+  file.finish();
+  return found;
 }
 
 std::vector<effects::Applied> effects_of_diagnosis(const std::filesystem::path& path,

@@ -29,7 +29,8 @@ TEST(Describe, DocumentsEveryFormatItLists) {
   const Folder folder;
   const auto list = run(folder, {"describe"});
   EXPECT_EQ(list.exit_code, 0);
-  for (const char* schema : {"apc-aircraft/1", "apc-tire/1", "apc-bed/1", "apc-loads/1"}) {
+  for (const char* schema :
+       {"apc-aircraft/1", "apc-tire/1", "apc-bed/1", "apc-loads/1", "apc-sph/1", "apc-model/1", "apc-manifest/1"}) {
     EXPECT_NE(list.out.find(schema), std::string::npos) << schema;
     const auto said = run(folder, {"describe", schema});
     EXPECT_EQ(said.exit_code, 0);

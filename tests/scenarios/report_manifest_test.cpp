@@ -28,6 +28,8 @@ TEST(ReportManifest, MakesTheReportAgainByteForByte) {
     EXPECT_TRUE(one == other) << name;
   }
 
+  EXPECT_EQ(run(folder, {"check", "r/manifest.json"}).exit_code, 0);
+
   // Someone else's bytes are noticed.
   auto manifest = nlohmann::ordered_json::parse(text_of(folder.path() / "r/manifest.json"));
   manifest["made"][0]["sha256"] = std::string(64, '0');
@@ -40,9 +42,16 @@ TEST(ReportManifest, MakesTheReportAgainByteForByte) {
   folder.write("site.json", with(site, "35 ft", "40 ft"));
   expect_refused(folder, {"report", "--manifest", "r/manifest.json", "-o", "fourth"},
                  {"r/manifest.json", "site.json", "has changed since"});
+  expect_refused(folder, {"check", "r/manifest.json"}, {"r/manifest.json", "site.json", "has changed since"});
   manifest["program"] = "apc 0.0.1";
   folder.write("old.json", manifest.dump());
   expect_refused(folder, {"report", "--manifest", "old.json"}, {"old.json", "/program", "another version"});
+  expect_refused(folder, {"check", "old.json"}, {"old.json", "/program", "another version"});
+  manifest.erase("arguments");
+  manifest["program"] = nlohmann::ordered_json::parse(text_of(folder.path() / "forged.json"))["program"];
+  manifest["files"] = nlohmann::ordered_json::array();
+  folder.write("cut.json", manifest.dump());
+  expect_refused(folder, {"check", "cut.json"}, {"cut.json", "/arguments", "missing"});
   expect_refused(folder, {"report", "--manifest", "r/manifest.json", "--site", "site.json"}, {"--manifest"});
   expect_refused(folder, {"report"}, {"--design"});
 }
