@@ -10,12 +10,22 @@
 namespace apc::simulation {
 namespace {
 
-/// Static attitude of the aircraft file as the first guess, at `speed`.
+/// Deflection of one tire on pavement under `load`, N; at most the radius.
+double deflection_under(const Group& group, double load) {
+  double low = 0.0, high = group.tire_radius;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (group.ground.table->load_on_pavement(middle).load.vertical < load ? low : high) = middle;
+  }
+  return low;
+}
+
+/// Gears under their static loads, and the height and pitch that put their tires on the ground: near enough that no
+/// first step drives a light nose tire down to its rim, from where the next one would lead back for ever.
 std::vector<double> first_guess(const Plant& plant, double speed) {
   std::vector<double> y(static_cast<std::size_t>(plant.states()), 0.0);
   const auto n = static_cast<std::size_t>(plant.degrees());
   const double weight = -plant.gravity.z;
-  // Nose share from the cg; the file's own geometry keeps the attitude near level.
   double behind = 0.0, tires = 0.0;
   for (const auto& row : plant.rows) {
     const auto& group = plant.groups[static_cast<std::size_t>(row.group)];
@@ -23,17 +33,21 @@ std::vector<double> first_guess(const Plant& plant, double speed) {
   }
   const double nose = plant.groups.front().extended.x, base = nose + behind / tires;
   const double nose_load = plant.mass * weight * (base - nose + plant.cg.x) / base;
+  double height_of_nose = 0.0, height_of_mains = 0.0;  // of S above the ground, as each would have it in level attitude
   for (std::size_t g = 0; g < plant.groups.size(); ++g) {
     const auto& group = plant.groups[g];
-    const double share = g == 0 ? nose_load
-                                : (plant.mass * weight - nose_load) * group.rows *
-                                      plant.rows[static_cast<std::size_t>(group.first_row)].tires / tires;
+    double own = 0.0;
+    for (int r = group.first_row; r < group.first_row + group.rows; ++r)
+      own += plant.rows[static_cast<std::size_t>(r)].tires;
+    const double share = g == 0 ? nose_load : (plant.mass * weight - nose_load) * own / tires;
     const double load = std::max(0.05 * plant.mass, share / group.struts - group.mass / group.struts * weight);
-    y[3 + g] = aircraft::static_stroke(group.strut, load);
+    const double stroke = y[3 + g] = aircraft::static_stroke(group.strut, load);
+    const double height =
+        group.tire_radius - deflection_under(group, std::max(0.0, share / own)) - group.extended.z - stroke;
+    (g == 0 ? height_of_nose : height_of_mains) += g == 0 ? height : height * own / tires;
   }
-  const auto& tire = plant.groups.back().ground.table->tire();
-  y[1] = plant.groups.back().tire_radius - tire.rated_deflection - plant.groups.back().extended.z -
-         y[2 + plant.groups.size()];
+  y[2] = (height_of_nose - height_of_mains) / base;
+  y[1] = height_of_nose - y[2] * nose;
   y[n] = speed;
   return y;
 }
