@@ -168,6 +168,17 @@ bool Convoy::guarded(std::size_t lane, const Work& work) {
   }
 }
 
+/// The end of a run's last stretch; a run that has ended there is settled.
+bool Convoy::close(std::size_t lane, Lane& run) {
+  if (!run.course.close(run.passed)) return false;
+  const auto end = run.course.ending(run.passed);
+  const auto& errand = run.errand;
+  Outturn outturn{finish(*errand.model, *errand.overrun, *errand.options, run.prepared, end), nullptr};
+  outturn.result.solver.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - run.began).count();
+  settle(lane, std::move(outturn));
+  return true;
+}
+
 void Convoy::add(const Errand& errand, std::size_t ticket) {
   std::size_t lane = 0;
   while (lanes_[lane]) ++lane;
@@ -196,7 +207,7 @@ void Convoy::advance() {
   each([&](std::size_t l, Lane& run) {
     run.solver.linearised();
     if (!std::exchange(run.open, false)) return;
-    guarded(l, [&] { return run.course.close(run.passed); });
+    guarded(l, [&] { return close(l, run); });
   });
 
   for (auto& step : h) step = 1e-3;
@@ -242,15 +253,7 @@ void Convoy::advance() {
     if (!chosen[l] || run.open) return;
     guarded(l, [&] {
       run.course.look_between(run.passed);
-      if (run.course.close(run.passed)) {
-        const auto end = run.course.ending(run.passed);
-        const auto& errand = run.errand;
-        Outturn outturn{finish(*errand.model, *errand.overrun, *errand.options, run.prepared, end), nullptr};
-        outturn.result.solver.wall_s =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - run.began).count();
-        settle(l, std::move(outturn));
-      }
-      return true;
+      return close(l, run);
     });
   });
 }

@@ -52,6 +52,7 @@ class Convoy {
   struct Lane;
   std::shared_ptr<const LevelTables> levels_of(const Plant&);
   void settle(std::size_t lane, Outturn);
+  bool close(std::size_t lane, Lane&);
   template <class Work>
   bool guarded(std::size_t lane, const Work&);
 

@@ -79,6 +79,7 @@ class Course {
     passed.event = next_event(before, passed.until);
     if (any_follower_) passed.pairs = std::max(1, static_cast<int>(std::ceil(0.5 * (y_[0] - way_) / rut_spacing)));
     way_ = y_[0];
+    slow_ = cg_speed(plant_, y_.data()) < 5.0 * creep_speed;
     return passed;
   }
 
@@ -110,15 +111,26 @@ class Course {
     if (!has_quadratures || any_follower_) see(passed, 2 * passed.pairs, passed.until);
     if constexpr (has_quadratures) solver_.integrals(passed.until, dissipated_.data());
     if (passed.event == Event::stop || passed.event == Event::far_end) return true;
+    if (passed.event == Event::none && slow_) {
+      solver_.state(passed.until, y_.data());
+      look(passed.until);
+      unfaded_ = held_up_by_fading(plant_, around_, passed.until, y_.data(), moment_);
+      if (unfaded_ > 0.0) return true;
+    }
     if (passed.event == Event::row) {
       solver_.state(passed.until, y_.data());
       restart(passed.until);
     }
-    if (passed.until > time_limit_)
-      throw SolveError(concat("still rolling at ", cg_speed(plant_, y_.data()), " m/s after ", passed.until, " s, ",
-                              nose_distance(plant_, y_.data()),
-                              " m into the bed. Is thrust larger than the drag? Raise the time limit otherwise"),
+    if (passed.until > time_limit_) {
+      solver_.state(passed.until, y_.data());
+      look(passed.until);
+      throw SolveError(concat("did not stop: still rolling at ", cg_speed(plant_, y_.data()), " m/s after ",
+                              passed.until, " s, ", nose_distance(plant_, y_.data()),
+                              " m into the bed, with a deceleration of ", -moment_.cg_acceleration.x,
+                              " m/s^2. Is thrust (or a falling grade) as large as the drag? Lower it, brake, or raise "
+                              "the time limit"),
                        passed.until);
+    }
     return false;
   }
 
@@ -130,6 +142,7 @@ class Course {
     end.time = passed.until;
     end.state = y_;
     end.acceleration = moment_.cg_acceleration.x;
+    end.unfaded = unfaded_;
     end.dissipated = dissipated_;
     end.statistics = solver_.statistics();
     return end;
@@ -227,6 +240,8 @@ class Course {
   std::array<double, sinks> dissipated_{}, power_{}, half_{};
   double settled_ = 0.0, next_look_ = 0.0, way_ = 0.0;  ///< way: X at the end of the last stretch
   long looks_ = 0;
+  bool slow_ = false;     ///< at the end of the last stretch: the drag fades
+  double unfaded_ = 0.0;  ///< m/s², as in Ending
 };
 
 }  // namespace apc::simulation

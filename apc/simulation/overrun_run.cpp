@@ -99,6 +99,21 @@ double cg_speed(const Plant& plant, const double* y) {
   return rate[0] - rate[2] * (plant.cg.x * turn.sine + plant.cg.z * turn.cosine);
 }
 
+double held_up_by_fading(const Plant& plant, const Surroundings& around, double time, const double* y,
+                         const Moment& moment) {
+  constexpr double unfaded_speed = 5.0 * creep_speed, standstill = 0.01;  // m/s; m/s²
+  const double speed = cg_speed(plant, y), faster = unfaded_speed - speed;
+  if (faster <= 0.0 || -moment.cg_acceleration.x > standstill) return 0.0;
+  std::array<double, most_states> there, rate;
+  std::copy(y, y + plant.states(), there.begin());
+  there[static_cast<std::size_t>(plant.degrees())] += faster;
+  for (std::size_t r = 0; r < plant.rows.size(); ++r)  // wheels that roll along
+    there[static_cast<std::size_t>(2 * plant.degrees()) + r] += faster / moment.rows[r].roll_radius;
+  Moment rolling;
+  derivatives(plant, around, time, there.data(), rate.data(), &rolling);
+  return std::max(0.0, -rolling.cg_acceleration.x);
+}
+
 Ending run_reference(const Plant& plant, const std::vector<double>& state, double rtol, double time_limit,
                      Observer& observer) {
   auto around = surroundings_at_entry(plant);

@@ -12,6 +12,7 @@ struct Ending {
   double time = 0.0;  ///< s after entry, of the last computed state
   std::vector<double> state;
   double acceleration = 0.0;  ///< m/s² of the cg there
+  double unfaded = 0.0;       ///< m/s², deceleration where only fading drag balances the thrust; 0 = not so ended
   std::array<double, sinks> dissipated{};
   SolverStatistics statistics;
 };
@@ -36,6 +37,9 @@ double time_to_corner(const Plant&, const Moment&);
 inline constexpr double at_corner = 0.5e-3;  ///< m from it: there
 /// Absolute tolerances of the reference method for every state.
 std::vector<double> absolute_tolerances(const Plant&, double rtol);
+/// Thrust against a drag that fades below a few `creep_speed` would roll on for ever where the unfaded drag is larger:
+/// the deceleration (> 0, m/s²) with which it really comes to rest. 0 while the speed still falls, or would not.
+double held_up_by_fading(const Plant&, const Surroundings&, double time, const double* y, const Moment&);
 /// The cg's ground speed at a state.
 double cg_speed(const Plant&, const double* y);
 

@@ -65,7 +65,9 @@ void fill_ending(const Plant& plant, const Ending& end, Result& result) {
         fmt::format("left the bed's far end, {:.1f} m ({:.0f} ft) from its leading edge, at {:.1f} m/s ({:.0f} kt)",
                     distance, distance / units::ft, result.exit_speed, result.exit_speed / units::kt);
   } else {
-    const auto rest = come_to_rest(-end.acceleration);
+    const double speed = cg_speed(plant, end.state.data());
+    const auto rest = end.unfaded > 0.0 ? Rest{0.5 * speed * speed / end.unfaded, speed / end.unfaded}
+                                        : come_to_rest(-end.acceleration);
     length = result.stop_distance = distance + rest.distance;
     result.runway_distance = result.stop_distance + plant.setback;
     result.stop_time += rest.time;

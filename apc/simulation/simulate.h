@@ -79,7 +79,7 @@ struct Options {
   Method method = Method::reference;
   double rtol = 1e-6;
   double sampling = 0.005;    ///< s between history rows; 0 = no history
-  double time_limit = 120.0;  ///< s of motion; reaching it is a SolveError
+  double time_limit = 600.0;  ///< s of motion; reaching it is a SolveError
 };
 
 /// Throws SolveError (time, state, what to try) when trim or integration fails; physical outcomes are results.

@@ -87,6 +87,31 @@ TEST_F(SideBySide, HasTheBitsOfOneByOneForAnyNumberOfThreads) {
   }
 }
 
+TEST(SideBySideAtWalkingPace, EndsWhereOnlyFadingDragHoldsTheThrust) {
+  // The end of a run that no event marks: neighbours in the block must neither feel nor miss it.
+  auto plane = testing::shipped_aircraft("B737-800");
+  plane.aero = {};
+  const auto model = testing::exact_model(plane, [](double, double penetration) {
+    return TireLoad{0.1 * 4e6 * penetration, 4e6 * penetration, 0.0, 1.0};
+  });
+  Options options;
+  options.method = Method::fast;
+  options.sampling = 0.0;
+  std::vector<Overrun> overruns(12);
+  std::vector<Errand> errands;
+  for (std::size_t i = 0; i < overruns.size(); ++i) {
+    overruns[i].entry_speed = (10.0 + static_cast<double>(i)) * units::kt;
+    overruns[i].thrust = 0.08 * static_cast<double>(i) * 0.1 * plane.mass * units::g0;
+    errands.push_back({&model, &overruns[i], &options});
+  }
+  const auto outturns = simulate_each(errands, 1);
+  for (std::size_t i = 0; i < errands.size(); ++i) {
+    ASSERT_FALSE(outturns[i].failure) << i;
+    EXPECT_EQ(outturns[i].result.outcome, Outcome::stopped);
+    EXPECT_EQ(all_of(outturns[i].result), all_of(simulate(model, overruns[i], options))) << i;
+  }
+}
+
 TEST_F(SideBySide, HasTheSameBitsInAnyOrder) {
   std::vector<std::size_t> order(errands_.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
