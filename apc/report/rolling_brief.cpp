@@ -39,9 +39,10 @@ std::string rolling_brief(const RollingRecord& record, UnitSystem units) {
   out += fmt::format("    {:<26}{:>25}\n\n", "residual", percent(record.residual, 3));
   out += fmt::format("  largest compaction {}; sum of V W in the crushed foam {:.3f} (lowest {:.3f})\n",
                      percent(record.compaction, 1), record.partition_mean, record.partition_min);
-  return out + fmt::format("  {} particles, {} steps, {:.2f} million particle-steps/s, {:.1f} s\n",
-                           number(record.particles, 0), number(record.steps, 0), record.particle_steps_per_s / 1e6,
-                           record.wall_s);
+  return out +
+         fmt::format("  {} particles, {} steps, {:.2f} million particle-steps/s, {:.1f} s, {} bytes per particle\n",
+                     number(record.particles, 0), number(record.steps, 0), record.particle_steps_per_s / 1e6,
+                     record.wall_s, number(record.bytes_per_particle, 0));
 }
 
 std::string rolling_csv(const RollingRecord& record) {

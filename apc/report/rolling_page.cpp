@@ -121,9 +121,10 @@ std::string rolling_page(const RollingRecord& record) {
   out += row("Command", "<code>" + escaped(record.manifest.command) + "</code>");
   out += row("Program", escaped(record.manifest.version));
   out += row("Page made", escaped(record.manifest.date));
-  out += row("Size", number(record.particles, 0) + " particles, " + number(record.steps, 0) + " steps, " +
-                         number(record.particle_steps_per_s / 1e6, 2) + " million particle-steps per second, " +
-                         number(record.wall_s, 1) + " s");
+  out +=
+      row("Size", number(record.particles, 0) + " particles, " + number(record.steps, 0) + " steps, " +
+                      number(record.particle_steps_per_s / 1e6, 2) + " million particle-steps per second, " +
+                      number(record.wall_s, 1) + " s, " + number(record.bytes_per_particle, 0) + " bytes per particle");
   out += row("Quality", "largest compaction " + percent(record.compaction, 1) + "; sum of V W in the crushed foam " +
                             number(record.partition_mean, 3) + ", lowest " + number(record.partition_min, 3));
   out += row("Source", escaped(record.source));

@@ -123,8 +123,9 @@ void resist_hourglass(Mesh& m, const Local& local, const Gradient& middle, const
       }
     } else {
       for (int i = 0; i < 3; ++i) {
-        f[i] = viscosity * speed[i];
-        m.energy.hourglass += m.dt * f[i] * speed[i];
+        const double now = viscosity * speed[i];
+        m.energy.hourglass += 0.5 * m.dt * (f[i] + now) * speed[i];
+        f[i] = now;
       }
     }
     for (int i = 0; i < 3; ++i)

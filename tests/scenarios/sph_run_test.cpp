@@ -35,6 +35,7 @@ TEST(SphRun, RollsATireAndAccountsForItsEnergy) {
   EXPECT_GT(json.at("vertical").get<double>(), 1e3);
   EXPECT_LT(std::abs(json.at("energy_residual").get<double>()), 0.05);
   EXPECT_GT(json.at("particle_steps_per_s").get<double>(), 0.0);
+  EXPECT_NE(said.out.find(" bytes per particle"), std::string::npos);
   EXPECT_EQ(json.at("energy_of_half").at("out").size(), 13u);
   for (const auto& name : json.at("energy_of_half").at("out").items())
     EXPECT_NE(said.out.find(name.key()), std::string::npos) << name.key() << " has no line in the report";

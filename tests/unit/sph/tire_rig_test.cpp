@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 
 #include "apc/base/require.h"
 #include "cases.h"
@@ -84,6 +86,33 @@ TEST(Roll, TooShortATravelDidNotSettle) {
   EXPECT_FALSE(r.history.drag.empty());
 }
 
+/// Every array of a VTU file stands where its tag says and has as many bytes as its points or cells need.
+void expect_whole_arrays(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::size_t data = text.find('_', text.find("<AppendedData")) + 1;
+  std::smatch sizes;
+  ASSERT_TRUE(std::regex_search(text, sizes, std::regex("NumberOfPoints=\"(\\d+)\" NumberOfCells=\"(\\d+)\"")));
+  const std::size_t points = std::stoul(sizes[1]), cells = std::stoul(sizes[2]);
+  const std::string header = text.substr(0, data);
+  const std::regex tag(
+      "type=\"(\\w+)\" Name=\"(\\w+)\" NumberOfComponents=\"(\\d)\" format=\"appended\" offset=\"(\\d+)\"");
+  int arrays = 0;
+  for (auto t = std::sregex_iterator(header.begin(), header.end(), tag); t != std::sregex_iterator(); ++t, ++arrays) {
+    const std::size_t at = data + std::stoul((*t)[4]), each = (*t)[1] == "UInt8" ? 1 : 4;
+    ASSERT_LT(at + 4, text.size());
+    std::uint32_t bytes = 0;
+    std::memcpy(&bytes, text.data() + at, sizeof bytes);
+    const std::string name = (*t)[2];
+    const bool of_cells = name == "offsets" || name == "types";
+    if (name != "connectivity") {
+      EXPECT_EQ(bytes, (of_cells ? cells : points) * each * std::stoul((*t)[3])) << name;
+    }
+    EXPECT_LE(at + 4 + bytes, text.size()) << name;
+  }
+  EXPECT_GE(arrays, 5);
+}
+
 TEST(Roll, SnapshotsOpenAsASeries) {
   const fs::path folder = fs::temp_directory_path() / "apc_sph_snapshots_test";
   fs::remove_all(folder);
@@ -97,6 +126,8 @@ TEST(Roll, SnapshotsOpenAsASeries) {
   EXPECT_NE(text.find("particles_0000.vtu"), std::string::npos);
   EXPECT_NE(text.find("tire_0001.vtu"), std::string::npos);
   EXPECT_GT(fs::file_size(folder / "particles_0001.vtu"), 1000u);
+  expect_whole_arrays(folder / "particles_0001.vtu");
+  expect_whole_arrays(folder / "tire_0001.vtu");
   fs::remove_all(folder);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "apc/base/units.h"
 #include "sph_backend/fem/fem_rig.h"
@@ -127,6 +129,26 @@ TEST(SlowTire, PublishedCaseAtTwoInches) {
   EXPECT_NEAR(v.quantities[0].difference(), 0.20, 0.05);
   EXPECT_NEAR(v.quantities[1].difference(), 0.26, 0.05);
   EXPECT_NEAR(v.quantities[2].difference(), 0.08, 0.04);
+}
+
+/// The results kept in apc/doc/measured are those of this code: one size is run again, the limits are read.
+TEST(SlowTire, MeasuredResultsAreOfThisCodeAndNearThePaper) {
+  const auto kept = nlohmann::json::parse(std::ifstream(PROJECT_DIR "/apc/doc/measured/tire_3d.json"));
+  const Verification now = verify(Study::tire_3d, 2.0 * in);
+  int compared = 0;
+  for (const auto& run : kept.at("runs")) {
+    if (std::abs(run.at("spacing").get<double>() / (2.0 * in) - 1.0) > 1e-6) continue;
+    for (const Quantity& q : now.quantities) {
+      EXPECT_NEAR(run.at(q.name).get<double>() / q.value, 1.0, 0.01) << q.name;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 3);
+  for (const Quantity& q : now.quantities) {
+    EXPECT_NEAR(kept.at("extrapolated").at(q.name).get<double>() / q.reference, 1.0, 0.10) << q.name;
+    EXPECT_GT(kept.at("r2").at(q.name).get<double>(), 0.99) << q.name;
+  }
+  for (const auto& run : kept.at("runs")) EXPECT_LT(std::abs(run.at("energy_residual").get<double>()), 0.015);
 }
 
 TEST(SlowTire, WindowDoesNotDecideTheLoads) {
