@@ -7,7 +7,7 @@
 
 namespace apc::sph {
 
-enum class Study { platen_1d, roller_2d, tire_3d, punch_2d };
+enum class Study { platen_1d, roller_2d, tire_3d, punch_2d, deck };
 enum class Method { sph, fem };
 
 struct Published {

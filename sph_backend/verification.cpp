@@ -67,6 +67,12 @@ void verify_press(Verification& v, const StudyOptions& options) {
 
 RollingCase published_case(const Verification& v, const StudyOptions& options) {
   RollingCase c;
+  if (v.study == Study::deck) {
+    c = options.deck;
+    c.spacing = v.spacing, c.load_tolerance = 0.01, c.spin_tolerance = 0.005;
+    if (options.friction >= 0.0) c.friction = options.friction;
+    return c;
+  }
   c.foam = foam_of(options);
   c.tire = {"H44.5x16.5-21", 44.5 * in, 16.5 * in,   21.0 * in, 214.0 * psi,
             44700.0 * lbf,   3.5 * in,  121e3 * lbf, 8.5 * in};
@@ -189,8 +195,10 @@ const char* name_of(Study study) {
       return "roller_2d";
     case Study::tire_3d:
       return "tire_3d";
-    default:
+    case Study::punch_2d:
       return "punch_2d";
+    default:
+      return "deck";
   }
 }
 

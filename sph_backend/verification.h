@@ -6,6 +6,7 @@
 ///   tire_3d    H44.5x16.5-21, 16 in in 24 in, 12 in half-width with a symmetry plane outside, half model (table 4)
 ///   punch_2d   the rut's wall alone: a rigid face of 8.25 in half-width, 16 in deep in 24 in, plane strain, 24 in
 ///              half-width, 100 in/s; work over that of crushing its own column (mentioned, not printed, in the study)
+///   deck       any rolling run, for its own discretisation error
 /// The study does not print friction, spin, entry and measuring window. Ours: roller frictionless and free, tire free
 /// with friction 0.3; entry by pressing at rest; mean of two windows of travel R each after settling. `span` varies
 /// them. No constant is tuned to the tables.
@@ -23,13 +24,14 @@
 
 namespace apc::sph {
 
-/// InputError for any other name, listing the four.
+/// InputError for any other name than the four published cases.
 Study study_of(const std::string& name);
 const char* name_of(Study);
 const char* name_of(Method);
 
 struct StudyOptions {
   Method method = Method::sph;
+  RollingCase deck;        ///< of Study::deck; its spacing is replaced, the settling tolerances tightened
   fem::Elements elements;  ///< of Method::fem
   double friction = -1.0;  ///< negative: 0 for the roller, 0.3 for the tire
   WheelSpin spin = WheelSpin::free;

@@ -38,14 +38,19 @@ std::string number_or_dash(double value, int digits) {
   return std::isfinite(value) ? report::number(value, digits) : "-";
 }
 
+/// A particle size with every digit it was given.
+std::string size_name(double size, UnitSystem system) {
+  return system == UnitSystem::si ? fmt::format("{:.4g} mm", 1e3 * size) : fmt::format("{:.4g} in", size / units::in);
+}
+
 const char* label(sph::Method method) { return method == sph::Method::fem ? "FEM" : "SPH"; }
 
 std::string account(const sph::Verification& run) {
-  std::string out = fmt::format(
-      "  {} {}, {}, {}: energy residual {}, compaction {}, sum of V W {}, spin ratio {}\n", label(run.method),
-      report::shown(run.spacing, report::measure::depth, UnitSystem::field), run.symmetry,
-      run.state.empty() ? "done" : run.state, report::percent(run.energy_residual, 2),
-      report::percent(run.compaction, 1), report::number(run.partition, 3), report::number(run.spin_ratio, 3));
+  std::string out = fmt::format("  {} {}, {}, {}: energy residual {}, compaction {}, sum of V W {}, spin ratio {}\n",
+                                label(run.method), size_name(run.spacing, UnitSystem::field), run.symmetry,
+                                run.state.empty() ? "done" : run.state, report::percent(run.energy_residual, 2),
+                                report::percent(run.compaction, 1), report::number(run.partition, 3),
+                                report::number(run.spin_ratio, 3));
   out += fmt::format("    {} {}, {} steps, {:.2f} million a second, {:.1f} s", report::number(run.particles, 0),
                      run.method == sph::Method::fem ? "elements" : "particles", report::number(run.steps, 0),
                      run.particle_steps_per_s / 1e6, run.wall_s);
@@ -60,8 +65,7 @@ std::string energy_table(const std::vector<const sph::Verification*>& runs) {
   TextTable table{{"share of the work put in"}, {}};
   std::vector<std::string> names;
   for (const auto* run : runs) {
-    table.headings.push_back(fmt::format("{} {}", label(run->method),
-                                         report::shown(run->spacing, report::measure::depth, UnitSystem::field)));
+    table.headings.push_back(fmt::format("{} {}", label(run->method), size_name(run->spacing, UnitSystem::field)));
     for (const auto& term : run->energy)
       if (std::find(names.begin(), names.end(), term.name) == names.end()) names.push_back(term.name);
   }
@@ -113,7 +117,7 @@ std::string verification_text(const std::vector<sph::Verification>& runs, UnitSy
     table.rows.push_back(row);
   }
   std::string out = fmt::format("{}, {} apart\n\n{}\n", sph::name_of(runs.front().study),
-                                report::shown(runs.front().spacing, report::measure::depth, units), aligned(table));
+                                size_name(runs.front().spacing, units), aligned(table));
   out += assumptions(runs.front()) + "\n" + energy_table(all) + "\n";
   for (const auto& run : runs) out += account(run);
   return out;
@@ -155,12 +159,12 @@ std::string convergence_text(const std::vector<sph::Convergence>& studies, UnitS
   std::vector<const sph::Verification*> runs;
   for (const auto& study : studies) {
     TextTable table{{fmt::format("{} here", label(study.method))}, {}};
-    for (const double size : study.sizes) table.headings.push_back(report::shown(size, report::measure::depth, units));
+    for (const double size : study.sizes) table.headings.push_back(size_name(size, units));
     for (const char* heading :
          {"order", "limit", "r2", "GCI", "published order", "limit", "r2", "GCI", "limits differ"})
       table.headings.emplace_back(heading);
     TextTable errors{{"error against the limit"}, {}};
-    for (const double size : study.sizes) errors.headings.push_back(report::shown(size, report::measure::depth, units));
+    for (const double size : study.sizes) errors.headings.push_back(size_name(size, units));
     errors.headings.emplace_back("published, 1 in");
     for (const auto& each : study.quantities) {
       std::vector<std::string> row{each.finest.name}, error{each.finest.name};

@@ -38,12 +38,22 @@ T choice(const std::string& option, const std::string& word, const std::vector<s
   throw InputError(concat(option, ": \"", word, "\" is none of ", known));
 }
 
+/// A published case by its name, or a deck by its path.
+sph::Study study_of(const StudyWords& words) {
+  return words.study.ends_with(".json") ? sph::Study::deck : sph::study_of(words.study);
+}
+
 sph::StudyOptions options_of(const StudyWords& words, Progress* line) {
   require(words.threads <= 1024, "--threads: ", words.threads, ". Between 1 and 1024 are possible, 0 takes all");
   require(words.friction <= 2.0, "--friction: ", words.friction, ". Between 0 and 2 are possible");
   require(words.hourglass_factor >= 0.0 && words.hourglass_factor <= 1.0,
           "--hourglass-factor: ", words.hourglass_factor, ". Between 0 and 1 are possible");
   sph::StudyOptions options;
+  if (study_of(words) == sph::Study::deck) {
+    require(!words.span && words.spin == "free" && words.entry.empty(), words.study,
+            ": a deck says itself how the wheel spins and enters. Leave out --span, --spin and --entry");
+    options.deck = read_deck(words.study).rig;
+  }
   options.friction = words.friction;
   options.spin = choice<sph::WheelSpin>(
       "--spin", words.spin,
@@ -87,10 +97,12 @@ std::unique_ptr<Progress> line_of(const Settings& settings, const std::string& w
 }
 
 void verify(const StudyWords& words, Settings& settings) {
-  const auto study = sph::study_of(words.study);
-  const double spacing = words.spacing.empty() ? 2 * units::in : read_size("--h", words.spacing);
+  const auto study = study_of(words);
   auto line = line_of(settings, concat("SPH case ", words.study));
   auto options = options_of(words, line.get());
+  const double spacing = !words.spacing.empty()      ? read_size("--h", words.spacing)
+                         : study == sph::Study::deck ? options.deck.spacing
+                                                     : 2 * units::in;
   std::vector<sph::Verification> runs;
   std::vector<sph::SpanRow> span;
   for (const auto method : methods_of(words)) {
@@ -113,17 +125,19 @@ void verify(const StudyWords& words, Settings& settings) {
 }
 
 void converge(const StudyWords& words, Settings& settings) {
-  const auto study = sph::study_of(words.study);
+  const auto study = study_of(words);
   std::vector<double> sizes;
   for (std::size_t start = 0; start < words.sizes.size();) {
     const auto comma = std::min(words.sizes.find(',', start), words.sizes.size());
     sizes.push_back(read_size("--sizes", words.sizes.substr(start, comma - start)));
     start = comma + 1;
   }
-  if (sizes.empty()) sizes = sph::published_sizes(study);
-  require(sizes.size() >= 3, "--sizes: \"", words.sizes, "\" holds fewer than three sizes. Write \"4 in, 2 in, 1 in\"");
   auto line = line_of(settings, concat("convergence of ", words.study));
   auto options = options_of(words, line.get());
+  if (sizes.empty() && study == sph::Study::deck)
+    for (const double share : {1.0, 0.75, 0.5}) sizes.push_back(share * options.deck.spacing);
+  if (sizes.empty()) sizes = sph::published_sizes(study);
+  require(sizes.size() >= 3, "--sizes: \"", words.sizes, "\" holds fewer than three sizes. Write \"4 in, 2 in, 1 in\"");
   std::vector<sph::Convergence> studies;
   for (const auto method : methods_of(words)) {
     options.method = method;
@@ -169,7 +183,9 @@ void add_sph_studies(CLI::App& sph, Settings& settings) {
     return std::pair{command, words};
   };
   const auto add_case = [](CLI::App& command, StudyWords& words, const char* method) {
-    command.add_option("CASE", words.study, "platen_1d, roller_2d, tire_3d or punch_2d")->required()->type_name("");
+    command.add_option("CASE", words.study, "platen_1d, roller_2d, tire_3d, punch_2d, or a deck (FILE.json)")
+        ->required()
+        ->type_name("");
     words.method = method;
     command.add_option("--method", words.method, "sph, fem or both")->capture_default_str();
     command.add_option("--friction", words.friction, "of tire on foam (default 0 roller, 0.3 tire)");
@@ -184,13 +200,15 @@ void add_sph_studies(CLI::App& sph, Settings& settings) {
   };
   const auto [verified, verify_words] = add("verify", "a published case beside the published values", verify);
   add_case(*verified, *verify_words, "sph");
-  verified->add_option("--h", verify_words->spacing, "particle spacing (default \"2 in\")")->type_name("LENGTH");
+  verified->add_option("--h", verify_words->spacing, "particle spacing (default \"2 in\", or the deck's)")
+      ->type_name("LENGTH");
   verified->add_flag("--span", verify_words->span,
                      "also vary what the study leaves unsaid: friction, spin, entry, ...");
   const auto [converged, converge_words] =
       add("converge", "a published case over several sizes: order, limit, GCI", converge);
   add_case(*converged, *converge_words, "both");
-  converged->add_option("--sizes", converge_words->sizes, "default: the published ones")
+  converged
+      ->add_option("--sizes", converge_words->sizes, "default: the published ones, or 1, 3/4 and 1/2 of the deck's")
       ->type_name("\"4 in, 2 in, 1 in\"");
   add("bench", "particle-steps per second of this machine on the published tire case", bench);
 }

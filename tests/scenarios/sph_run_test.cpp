@@ -118,6 +118,25 @@ TEST(SphVerify, PutsParticlesAndElementsBesideThePaper) {
     EXPECT_NE(said.out.find(line), std::string::npos) << line;
 }
 
+TEST(SphConverge, StatesTheErrorOfAnyDeck) {
+  const Folder folder;
+  folder.write("deck.json", with(with(coarse_deck(), "H44.5x16.5-21", "R18x4.4"),
+                                 "\"12 in\", \"penetration\": \"6 in\"", "\"6 in\", \"penetration\": \"3 in\""));
+  const auto said = run(folder, {"sph", "converge", "deck.json", "--method", "sph", "--sizes", "1.1 in, 0.9 in, 0.7 in",
+                                 "--json", "c.json"});
+  ASSERT_EQ(said.exit_code, 2) << said.err;  // the deck's own spacing does not resolve this tire
+  EXPECT_NE(said.err.find("/spacing"), std::string::npos) << said.err;
+  folder.write("deck.json", with(text_of(folder.path() / "deck.json"), "\"3 in\"\n", "\"0.9 in\"\n"));
+  const auto again = run(folder, {"sph", "converge", "deck.json", "--method", "sph", "--sizes",
+                                  "1.1 in, 0.9 in, 0.7 in", "--json", "c.json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "c.json"));
+  EXPECT_EQ(json.at("sizes").size(), 3u);
+  EXPECT_EQ(json.at("values").at("drag").size(), 3u);
+  EXPECT_TRUE(json.at("reference").at("drag").is_null());
+  EXPECT_EQ(run(folder, {"sph", "verify", "deck.json", "--spin", "locked"}).exit_code, 2);
+}
+
 TEST(SphVerify, UnknownWordsAreRefused) {
   const Folder folder;
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong{
