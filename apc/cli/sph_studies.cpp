@@ -89,7 +89,7 @@ std::string energy_table(const std::vector<const sph::Verification*>& runs) {
 }
 
 std::string assumptions(const sph::Verification& run) {
-  std::string out = "Not printed in the study; here:";
+  std::string out = run.study == sph::Study::deck ? "As run:" : "Not printed in the study; here:";
   for (std::size_t k = 0; k < run.assumptions.size(); ++k) out += (k > 0 ? "; " : " ") + run.assumptions[k];
   return out + ".\n";
 }
