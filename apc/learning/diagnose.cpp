@@ -7,120 +7,13 @@
 #include <set>
 
 #include "apc/base/require.h"
+#include "apc/learning/weighing.h"
 
 namespace apc::learning {
 namespace {
 
-/// Evidence is divided by this before it becomes probability: the background model is not exact, and what it lacks
-/// repeats from run to run. Chosen on cases with known truth.
-constexpr double temper = 4.0;
-constexpr double odds_effect = 0.5, odds_pair = 0.15, odds_sensor = 0.1, odds_learned = 0.02;
-/// A tire that loses its pressure at the same place in every run is a rare thing, and with its free place a flexible
-/// one.
-constexpr double odds_tire_loss = 0.1;
-
-/// The best shape of each effect, most evident first.
-struct Single {
-  const Hypothesis* hypothesis;
-  Evidence evidence;
-  double log_evidence;  ///< averaged over the shapes
-};
-
-std::vector<Single> best_shapes(const Screen& screen) {
-  std::map<std::string, Single> best;
-  std::map<std::string, std::vector<double>> all;
-  for (const Hypothesis& h : screen.hypotheses) {
-    if (h.kind != Hypothesis::Kind::effect) continue;
-    const Evidence e = evidence_of(screen.scores, h.candidate);
-    all[h.id].push_back(e.log_evidence);
-    const auto found = best.find(h.id);
-    if (found == best.end() || found->second.evidence.log_evidence < e.log_evidence) best[h.id] = {&h, e, 0.0};
-  }
-  std::vector<Single> list;
-  for (auto& [id, single] : best) {
-    const double highest = *std::max_element(all[id].begin(), all[id].end());
-    double sum = 0.0;
-    for (const double value : all[id]) sum += std::exp(value - highest);
-    single.log_evidence = highest + std::log(sum / static_cast<double>(all[id].size()));
-    list.push_back(single);
-  }
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Single& a, const Single& b) { return a.log_evidence > b.log_evidence; });
-  return list;
-}
-
-effects::Applied started(const Hypothesis& h, double amplitude) {
-  effects::Applied applied = h.applied;
-  const effects::Parameter& p = h.applied.effect.parameters.front();
-  applied.values.front() = std::clamp(p.neutral + amplitude, std::min(p.low, p.neutral), std::max(p.high, p.neutral));
-  return applied;
-}
-
-std::vector<std::string> ids_of(const std::vector<effects::Applied>& list) {
-  std::vector<std::string> ids;
-  for (const auto& a : list) ids.push_back(a.effect.id);
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
-
-using Places = std::vector<std::array<double, 2>>;
-
-Explanation explained(const Background& b, const NuisanceFactor& nuisances, const std::vector<effects::Applied>& start,
-                      const Places& places) {
-  Explanation x;
-  x.fit = refine(b, nuisances, start, 4, places);
-  x.fitted = true;
-  x.ids = ids_of(start);
-  x.log_evidence = x.fit.log_evidence;
-  return x;
-}
-
-/// Sensors and learned forces: linear, so the screen's evidence is already theirs.
-void add_linear(const Screen& screen, std::vector<Explanation>& list, std::vector<SensorClaim>& sensors) {
-  for (const Hypothesis& h : screen.hypotheses) {
-    if (h.kind == Hypothesis::Kind::effect) continue;
-    const Evidence e = evidence_of(screen.scores, h.candidate);
-    Explanation x;
-    x.kind = h.kind;
-    x.label = h.id + (h.run.empty() ? "" : " in " + h.run);
-    x.log_evidence = e.log_evidence;
-    if (h.kind == Hypothesis::Kind::sensor && e.log_evidence > 4.0)
-      sensors.push_back({h.run, h.id, e.amplitude[0], std::sqrt(e.covariance(0, 0)), e.log_evidence});
-    list.push_back(std::move(x));
-  }
-  std::stable_sort(sensors.begin(), sensors.end(),
-                   [](const SensorClaim& a, const SensorClaim& b) { return a.log_evidence > b.log_evidence; });
-}
-
-double prior_odds(const Explanation& x, std::size_t effects, std::size_t sensors) {
-  switch (x.kind) {
-    case Hypothesis::Kind::effect:
-      if (x.ids.empty()) return 1.0;
-      return (x.ids.size() == 1 ? odds_effect : odds_pair) * 4.0 / static_cast<double>(effects) *
-             (std::find(x.ids.begin(), x.ids.end(), "tire_loss") != x.ids.end() ? odds_tire_loss : 1.0);
-    case Hypothesis::Kind::sensor:
-      return odds_sensor * 4.0 / static_cast<double>(sensors);
-    case Hypothesis::Kind::learned:
-      return odds_learned;
-  }
-  return 1.0;
-}
-
-void weigh(std::vector<Explanation>& list, std::size_t effects) {
-  std::size_t sensors = 1;
-  for (const Explanation& x : list) sensors += x.kind == Hypothesis::Kind::sensor ? 1 : 0;
-  double highest = -1e300, sum = 0.0;
-  for (Explanation& x : list) {
-    x.probability = std::log(prior_odds(x, effects, sensors)) + x.log_evidence / temper;
-    highest = std::max(highest, x.probability);
-  }
-  for (Explanation& x : list) sum += x.probability = std::exp(x.probability - highest);
-  for (Explanation& x : list) x.probability /= sum;
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Explanation& a, const Explanation& b) { return a.probability > b.probability; });
-}
-
-void make_claims(const Background& b, const FamilyWise& null, const std::vector<Single>& singles, Diagnosis& d) {
+void make_claims(const Background& b, const FamilyWise& null, const std::vector<Single>& singles, double temper,
+                 Diagnosis& d) {
   std::map<std::string, Claim> claims;
   for (const Explanation& x : d.explanations)
     for (const std::string& id : x.ids) {
@@ -168,14 +61,14 @@ void make_rivals(const Screen& screen, const std::vector<Single>& singles, Diagn
                          c = singles[k].hypothesis->candidate.columns.front();
       const double rho = correlation_of(screen.scores, c, a);
       const double separability = singles[k].evidence.amplitude[0] *
-                                  std::sqrt(screen.scores.gram(c, c) * std::max(0.0, 1.0 - rho * rho) / temper);
+                                  std::sqrt(screen.scores.gram(c, c) * std::max(0.0, 1.0 - rho * rho) / screen.temper);
       if (std::abs(rho) > 0.8)
         d.rivals.push_back({singles[k].hypothesis->id, singles[i].hypothesis->id, rho, std::abs(separability)});
     }
 }
 
 void make_smallest(const Screen& screen, const std::vector<Single>& singles, const FamilyWise& null, Diagnosis& d) {
-  const double reach = std::sqrt(temper) * (std::sqrt(null.quantile(0.99)) + 1.28);
+  const double reach = std::sqrt(screen.temper) * (std::sqrt(null.quantile(0.99)) + 1.28);
   for (const Single& s : singles) {
     const Eigen::Index c = s.hypothesis->candidate.columns.front();
     const double gram = screen.scores.gram(c, c);
@@ -213,12 +106,27 @@ void decide(Diagnosis& d) {
   for (const Claim& c : d.claims)
     if (c.probability >= 0.5 && d.verdict != Verdict::nothing && d.verdict != Verdict::sensor)
       d.augmented.push_back(c.applied);
-  if (d.augmented.empty() && d.verdict == Verdict::ambiguous)
+  // Something is missing for certain, only not which: the likeliest explanation is better than none.
+  if (d.augmented.empty() && d.verdict == Verdict::ambiguous && silent + sensor < 0.1)
     for (const Explanation& x : d.explanations)
       if (x.fitted) {
         d.augmented = x.fit.effects;
         break;
       }
+}
+
+/// The nuisances of a free run with the effects just added, for predictions.
+void add_nuisances(const Background& b, Diagnosis& d) {
+  const auto ids = ids_of(d.augmented);
+  auto found = std::find_if(d.explanations.begin(), d.explanations.end(),
+                            [&](const Explanation& x) { return x.fitted && x.ids == ids; });
+  if (found == d.explanations.end()) {
+    d.explanations.emplace_back().ids = ids;
+    found = d.explanations.end() - 1;
+    found->fitted = true;
+    found->fit.effects = d.augmented;
+  }
+  found->fit.eta = refit_background(b, found->fit.effects, 2, {}).eta;
 }
 
 }  // namespace
@@ -236,25 +144,42 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
       if (options.report) options.report(from + (to - from) * share, what);
     };
   };
+  const Layout layout = make_layout(data, data.runs);
+  part(0.0, 0.2)(0.0, "balancing forces along the measured motion");
+  study.along = balance_along(data, layout, options.threads);
   BackgroundOptions background;
   background.threads = options.threads;
-  background.report = part(0.0, 0.5);
+  background.report = part(study.along ? 0.2 : 0.0, 0.5);
   study.background = fit_background(data, background);
   const Background& b = study.background;
-  study.screen = screen(b, options.effects, part(0.5, 0.65));
+  if (study.along) {
+    std::vector<effects::Effect> fine;
+    std::copy_if(options.effects.begin(), options.effects.end(), std::back_inserter(fine),
+                 [](const effects::Effect& e) { return e.fine; });
+    study.screen = joined(weigh_along(*study.along, data, layout, options.effects, options.threads),
+                          screen(b, fine, part(0.5, 0.65)));
+  } else {
+    study.screen = screen(b, options.effects, part(0.5, 0.65));
+  }
   const std::vector<Single> singles = best_shapes(study.screen);
   const NuisanceFactor nuisances(b);
   Diagnosis& d = study.diagnosis;
   d.explanations.emplace_back();  // nothing: what the refits gain by moving nuisances alone is nothing's, too
-  {
-    const SetFit idle = refine(b, nuisances, {}, 4);
-    d.explanations.back().log_evidence = idle.log_evidence;
-  }
+  if (!study.along) d.explanations.back().log_evidence = refine(b, nuisances, {}, 4).log_evidence;
+  std::map<std::string, double> fine_gain;
   constexpr std::size_t most_singles = 7, most_pairs = 6;
   std::set<std::string> refined;
   for (std::size_t i = 0; i < singles.size(); ++i) {
     const Single& s = singles[i];
-    if (i < most_singles) {
+    if (study.along && s.hypothesis->applied.effect.fine) {
+      // Its depth, width and every run's place are fitted through the simulator; the gain counts in pairs, too.
+      Explanation x = explained(b, nuisances, {started(*s.hypothesis, s.evidence.amplitude[0])}, s.hypothesis->places);
+      x.log_evidence = simulated_share * (x.log_evidence - refine(b, nuisances, {}, 4).log_evidence);
+      fine_gain[s.hypothesis->id] = std::max(0.0, x.log_evidence - s.log_evidence);
+      d.explanations.push_back(std::move(x));
+    } else if (study.along) {
+      d.explanations.push_back(weighed(b, {s.hypothesis}, s.evidence, s.log_evidence));
+    } else if (i < most_singles) {
       d.explanations.push_back(
           explained(b, nuisances, {started(*s.hypothesis, s.evidence.amplitude[0])}, s.hypothesis->places));
       refined.insert(s.hypothesis->id);
@@ -271,6 +196,7 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   struct Pair {
     const Hypothesis *a, *c;
     Evidence evidence;
+    std::vector<double> all;  ///< of every pair of shapes
   };
   std::map<std::vector<std::string>, Pair> pairs;
   std::vector<const Hypothesis*> shapes;
@@ -287,32 +213,40 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
       const Evidence e = evidence_of(study.screen.scores, both);
       std::vector<std::string> ids = {shapes[i]->id, shapes[k]->id};
       std::sort(ids.begin(), ids.end());
-      const auto found = pairs.find(ids);
-      if (found == pairs.end() || found->second.evidence.log_evidence < e.log_evidence)
-        pairs[ids] = {shapes[i], shapes[k], e};
+      const auto [found, fresh] = pairs.try_emplace(ids, Pair{shapes[i], shapes[k], e, {}});
+      found->second.all.push_back(e.log_evidence);
+      if (!fresh && found->second.evidence.log_evidence < e.log_evidence)
+        found->second.a = shapes[i], found->second.c = shapes[k], found->second.evidence = e;
     }
   std::vector<Pair> ordered;
   for (const auto& [ids, pair] : pairs) ordered.push_back(pair);
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const Pair& a, const Pair& c) { return a.evidence.log_evidence > c.evidence.log_evidence; });
-  for (std::size_t i = 0; i < std::min(most_pairs, ordered.size()); ++i) {
+  const std::size_t taken = study.along ? ordered.size() : std::min(most_pairs, ordered.size());
+  for (std::size_t i = 0; i < taken; ++i) {
     const Pair& p = ordered[i];
+    if (study.along) {
+      d.explanations.push_back(
+          weighed(b, {p.a, p.c}, p.evidence, mean_evidence(p.all) + fine_gain[p.a->id] + fine_gain[p.c->id]));
+      continue;
+    }
     d.explanations.push_back(explained(b, nuisances,
                                        {started(*p.a, p.evidence.amplitude[0]), started(*p.c, p.evidence.amplitude[1])},
                                        p.a->places.empty() ? p.c->places : p.a->places));
     if (options.report) options.report(0.85 + 0.13 * static_cast<double>(i + 1) / most_pairs, "fitting pairs");
   }
   add_linear(study.screen, d.explanations, d.sensors);
-  weigh(d.explanations, singles.size());
+  weigh(d.explanations, study.along.has_value(), singles.size(), study.screen.temper);
 
   std::vector<Candidate> single_columns;
   for (const Hypothesis* h : shapes) single_columns.push_back(h->candidate);
   const FamilyWise null = family_wise(study.screen.scores, single_columns, 2000, options.seed);
-  make_claims(b, null, singles, d);
+  make_claims(b, null, singles, study.screen.temper, d);
   make_set90(d);
   make_rivals(study.screen, singles, d);
   make_smallest(study.screen, singles, null, d);
   decide(d);
+  if (study.along && !d.augmented.empty()) add_nuisances(b, d);
   d.unexplained_share = 0.0;
   for (const Explanation& x : d.explanations)
     if (x.kind == Hypothesis::Kind::learned) d.unexplained_share += x.probability;

@@ -1,6 +1,7 @@
 /// The verdict: which effect is missing, what cannot be told from it, and how large anything missed could be.
 #pragma once
 
+#include "apc/learning/along.h"
 #include "apc/learning/refine.h"
 #include "apc/learning/screen.h"
 
@@ -70,7 +71,8 @@ struct DiagnoseOptions {
 /// Everything `diagnose` looked at, for reports and predictions.
 struct Study {
   Background background;
-  Screen screen;
+  std::optional<Along> along;  ///< where every run was surveyed: the balance along the measured motion
+  Screen screen;               ///< along the measured motion where there is one, else through the simulator
   Diagnosis diagnosis;
 };
 

@@ -34,15 +34,6 @@ Effect learned_force(const std::string& id, double centre, double half_width, bo
   return e;
 }
 
-/// Lower factor of σ² exp(−|i − j| spacing / length).
-Eigen::MatrixXd exponential_factor(Eigen::Index n, double spacing, double length, double deviation) {
-  Eigen::MatrixXd covariance(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      covariance(i, j) = deviation * deviation * std::exp(-std::abs(static_cast<double>(i - j)) * spacing / length);
-  return Eigen::LLT<Eigen::MatrixXd>(covariance).matrixL();
-}
-
 double longest_way(const Background& b) {
   double longest = 0.0;
   for (std::size_t r = 0; r < b.training; ++r)
@@ -132,7 +123,7 @@ void add_effects(const Background& b, const std::vector<Effect>& effects, Collec
     if (std::any_of(b.added.begin(), b.added.end(), [&](const Applied& a) { return a.effect.id == effect.id; }))
       continue;
     if (effect.fine) continue;
-    const auto shapes = shapes_of(effect, b);
+    const auto shapes = shapes_of(effect, longest_way(b));
     for (const Applied& shape : shapes) {
       Hypothesis h;
       h.id = effect.id;
@@ -255,13 +246,21 @@ void add_learned(const Background& b, Collector& collector, std::vector<Hypothes
 
 }  // namespace
 
+Eigen::MatrixXd exponential_factor(Eigen::Index n, double spacing, double length, double deviation) {
+  Eigen::MatrixXd covariance(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j)
+      covariance(i, j) = deviation * deviation * std::exp(-std::abs(static_cast<double>(i - j)) * spacing / length);
+  return Eigen::LLT<Eigen::MatrixXd>(covariance).matrixL();
+}
+
 double amplitude_deviation(const effects::Parameter& p) {
   return std::max(std::abs(p.high - p.neutral), p.low < p.neutral ? std::abs(p.low - p.neutral) : 0.0) / 1.96;
 }
 
 bool amplitude_positive(const effects::Parameter& p) { return p.low >= p.neutral; }
 
-std::vector<Applied> shapes_of(const Effect& effect, const Background& b) {
+std::vector<Applied> shapes_of(const Effect& effect, double longest) {
   std::vector<Applied> result;
   const Applied neutral = effects::applied(effect, effect.parameters.front().neutral);
   const auto with = [&](std::size_t parameter, double value) {
@@ -270,7 +269,7 @@ std::vector<Applied> shapes_of(const Effect& effect, const Background& b) {
     result.push_back(one);
   };
   if (effect.id == "tire_loss") {
-    for (double at = 5.0; at < longest_way(b) - 5.0; at += 5.0) with(1, at);
+    for (double at = 5.0; at < longest - 5.0; at += 5.0) with(1, at);
     return result;
   }
   if (effect.parameters.size() == 1 || effect.id == "inertial" || effect.id == "rate" || effect.id == "aero" ||

@@ -21,13 +21,18 @@ struct Hypothesis {
 struct Screen {
   std::vector<Hypothesis> hypotheses;
   Scores scores;
+  double temper = 4.0;  ///< evidence is divided by this before it becomes probability; chosen on cases with known truth
 };
 
 /// `effects`: the catalogue and the user's own. Simulates each effect column once per run.
 Screen screen(const Background&, const std::vector<effects::Effect>& effects, const Report&);
 
-/// Shapes worth trying for an effect in this case: the amplitude is left at its neutral value.
-std::vector<effects::Applied> shapes_of(const effects::Effect&, const Background&);
+/// Shapes worth trying for an effect where the longest run is this long (m): the amplitude is left at its neutral
+/// value.
+std::vector<effects::Applied> shapes_of(const effects::Effect&, double longest_way);
+
+/// Lower factor of σ² exp(−|i − j| spacing / length): the prior of what is learned at evenly spaced knots.
+Eigen::MatrixXd exponential_factor(Eigen::Index n, double spacing, double length, double deviation);
 
 /// Standard deviation of an amplitude's prior: its range is 95 %.
 double amplitude_deviation(const effects::Parameter&);

@@ -1,0 +1,164 @@
+#include "apc/learning/along_noise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "apc/base/parallel.h"
+#include "apc/base/require.h"
+
+namespace apc::learning {
+namespace {
+
+constexpr double knot = 0.1;         ///< s, of the deceleration's error
+constexpr double run_level = 0.02;   ///< share of the deceleration that is off in a whole run
+constexpr double rut_memory = 3.0;   ///< m
+constexpr double ramp_factor = 6.0;  ///< in beds thinner than the table's samples
+
+/// Covariance of the deceleration's error at its knots.
+Eigen::MatrixXd drag_error(const Case& data, const std::vector<GearFacts>& gears, const AlongRun& a,
+                           const AlongNoise& n) {
+  const Motion& m = a.motion;
+  const auto knots = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(m.time.back() / knot) + 1);
+  Eigen::VectorXd size(knots);
+  for (Eigen::Index j = 0; j < knots; ++j) {
+    const double at = std::clamp((static_cast<double>(j) * knot - m.time.front()) / m.interval, 0.0,
+                                 static_cast<double>(m.size() - 1));
+    const auto i = static_cast<std::size_t>(at);
+    size[j] = std::max(1.0, -a.balance.along[static_cast<Eigen::Index>(i)]);
+    for (const GearFacts& g : gears) {
+      const double place = m.place[i] - g.behind;
+      if (place > 0.0 && data.bed.depth_at(place) < 1.05 * g.table->depth_range()[0])
+        size[j] *= g.nose ? 2.0 : ramp_factor;
+    }
+  }
+  Eigen::MatrixXd K(knots, knots);
+  for (Eigen::Index i = 0; i < knots; ++i)
+    for (Eigen::Index j = 0; j < knots; ++j)
+      K(i, j) =
+          size[i] * size[j] *
+          (n.drag * n.drag * std::exp(-std::abs(static_cast<double>(i - j)) * knot / n.memory) + run_level * run_level);
+  return K;
+}
+
+/// How that error moves the readings: acceleration at once, speed as its integral, the stop as the second.
+Eigen::MatrixXd drag_error_readings(const Run& run, const AlongRun& a, Eigen::Index knots) {
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(a.predicted.size(), knots);
+  for (std::size_t i = 0; i < a.readings.size(); ++i) {
+    const Reading& r = a.readings[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const double t = r.is_stop() ? a.motion.time.back() : 0.5 * (r.from + r.to) - mean_delay(run, r);
+    if (r.quantity == Quantity::acceleration_x && t >= 0.0) {
+      const auto j = std::min(static_cast<Eigen::Index>(t / knot), knots - 2);
+      const double u = std::min(1.0, t / knot - static_cast<double>(j));
+      B(row, j) += 1.0 - u, B(row, j + 1) += u;
+    }
+    if (!r.is_stop() && r.quantity != Quantity::speed) continue;
+    for (Eigen::Index j = 0; j < knots; ++j) {
+      const double since = t - static_cast<double>(j) * knot;
+      B(row, j) = knot * (r.is_stop() ? std::max(0.0, since) : std::clamp(since / knot + 0.5, 0.0, 1.0));
+    }
+  }
+  return B;
+}
+
+struct Fit {
+  double log_evidence = 0.0;
+  Eigen::VectorXd mean;
+};
+
+Fit evidence_under(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior,
+                   const AlongNoise& noise, unsigned threads) {
+  const AlongPrior wide = with_vertical_error(prior, layout, noise.vertical_table);
+  const Eigen::Index n = wide.precision.rows();
+  std::vector<Eigen::MatrixXd> information(along.runs.size());
+  std::vector<Eigen::VectorXd> right(along.runs.size());
+  std::vector<double> rest(along.runs.size());
+  parallel_for(along.runs.size(), threads, [&](std::size_t r) {
+    AlongRun& a = along.runs[r];
+    a.factor = noise_factor(data, along.gears, data.runs[r], a, noise);
+    const Eigen::MatrixXd S = a.factor.triangularView<Eigen::Lower>().solve(a.unknowns);
+    const Eigen::VectorXd y = a.factor.triangularView<Eigen::Lower>().solve(a.difference);
+    information[r] = Eigen::MatrixXd::Zero(n, n);
+    information[r].selfadjointView<Eigen::Lower>().rankUpdate(S.transpose());
+    right[r] = S.transpose() * y;
+    rest[r] = -0.5 * y.squaredNorm() - a.factor.diagonal().array().log().sum();
+  });
+  Eigen::MatrixXd M = wide.precision;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
+  Fit fit;
+  fit.log_evidence = 0.5 * wide.log_determinant;
+  for (std::size_t r = 0; r < along.runs.size(); ++r)
+    M += Eigen::MatrixXd(information[r].selfadjointView<Eigen::Lower>()), sum += right[r], fit.log_evidence += rest[r];
+  const Eigen::LLT<Eigen::MatrixXd> factor(M);
+  expect(factor.info() == Eigen::Success, "the normal matrix along the motion is not positive");
+  fit.mean = factor.solve(sum);
+  fit.log_evidence += 0.5 * sum.dot(fit.mean) - factor.matrixLLT().diagonal().array().log().sum();
+  return fit;
+}
+
+}  // namespace
+
+Eigen::MatrixXd noise_factor(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const AlongRun& a,
+                             const AlongNoise& n) {
+  const Eigen::MatrixXd K = drag_error(data, gears, a, n);
+  const Eigen::MatrixXd B = drag_error_readings(run, a, K.rows());
+  Eigen::MatrixXd C = B * K * B.transpose();
+  const auto groups = static_cast<Eigen::Index>(gears.size());
+  const Eigen::Index knots = a.ruts.cols() / groups;
+  Eigen::MatrixXd R(knots, knots);
+  for (Eigen::Index i = 0; i < knots; ++i)
+    for (Eigen::Index j = 0; j < knots; ++j)
+      R(i, j) = n.rut * n.rut * std::exp(-std::abs(static_cast<double>(i - j)) * rut_knots / rut_memory);
+  for (Eigen::Index g = 0; g < groups; ++g) {
+    const auto part = a.ruts.middleCols(g * knots, knots);
+    C += part * R * part.transpose();
+  }
+  const double turning = n.pitching * 9.80665 * run.overrun.mass / run.overrun.pitch_inertia * knot;
+  for (std::size_t i = 0; i < a.readings.size(); ++i) {
+    const Reading& p = a.readings[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const bool accelerometer = p.quantity == Quantity::acceleration_x || p.quantity == Quantity::acceleration_z;
+    C(row, row) += std::pow(p.deviation * (accelerometer && !p.is_stop() ? n.accelerometer : 1.0), 2);
+    const double slow = p.quantity == Quantity::acceleration_z ? n.up * 9.80665
+                        : p.quantity == Quantity::pitch_rate   ? turning
+                                                               : 0.0;
+    if (slow == 0.0) continue;
+    for (std::size_t j = 0; j < a.readings.size(); ++j)
+      if (a.readings[j].quantity == p.quantity)
+        C(row, static_cast<Eigen::Index>(j)) +=
+            slow * slow * std::exp(-std::abs(p.from - a.readings[j].from) / n.memory);
+  }
+  const Eigen::LLT<Eigen::MatrixXd> factor(C);
+  expect(factor.info() == Eigen::Success, "the covariance of the readings is not positive");
+  return factor.matrixL();
+}
+
+void fit_noise(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior, unsigned threads) {
+  const auto numbers = [](AlongNoise& n) {
+    return std::array<double*, 7>{&n.rut, &n.drag, &n.up, &n.pitching, &n.memory, &n.accelerometer, &n.vertical_table};
+  };
+  constexpr std::array<std::array<double, 2>, 7> range = {
+      {{0.0015, 0.012}, {0.01, 0.3}, {0.01, 0.5}, {0.01, 1.0}, {0.1, 2.0}, {1.0, 4.0}, {1.0, 4.0}}};
+  double highest = evidence_under(along, data, layout, prior, along.noise, threads).log_evidence;
+  for (int pass = 0; pass < 2; ++pass)
+    for (std::size_t p = 0; p < range.size(); ++p) {
+      AlongNoise best = along.noise;
+      for (const double factor : {0.5, 0.7, 1.4, 2.0}) {
+        AlongNoise tried = along.noise;
+        double& value = *numbers(tried)[p];
+        const double before = value;
+        value = std::clamp(value * factor, range[p][0], range[p][1]);
+        if (value == before) continue;
+        const double there = evidence_under(along, data, layout, prior, tried, threads).log_evidence;
+        if (there > highest) highest = there, best = tried;
+      }
+      along.noise = best;
+    }
+  const Fit fit = evidence_under(along, data, layout, prior, along.noise, threads);
+  const AlongPrior wide = with_vertical_error(prior, layout, along.noise.vertical_table);
+  along.precision = wide.precision, along.log_determinant = wide.log_determinant;
+  along.log_evidence = fit.log_evidence, along.unknowns = fit.mean;
+}
+
+}  // namespace apc::learning

@@ -1,0 +1,15 @@
+/// The noise of readings along a measured motion, and the sizes of highest evidence.
+#pragma once
+
+#include "apc/learning/along_unknowns.h"
+
+namespace apc::learning {
+
+/// Lower Cholesky factor of the covariance of one run's readings: instruments, errors of the accelerations, of ruts.
+Eigen::MatrixXd noise_factor(const Case&, const std::vector<GearFacts>&, const Run&, const AlongRun&,
+                             const AlongNoise&);
+
+/// Finds `noise` by coordinate search on the evidence, then fills factors, precision and posterior mean.
+void fit_noise(Along&, const Case&, const Layout&, const AlongPrior&, unsigned threads);
+
+}  // namespace apc::learning
