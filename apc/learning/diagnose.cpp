@@ -79,7 +79,6 @@ void make_smallest(const Screen& screen, const std::vector<Single>& singles, con
 }
 
 void decide(Diagnosis& d) {
-  const Explanation& first = d.explanations.front();
   double silent = 0.0, sensor = 0.0, learned = 0.0;
   for (const Explanation& x : d.explanations) {
     if (x.kind == Hypothesis::Kind::effect && x.ids.empty()) silent += x.probability;
@@ -97,8 +96,7 @@ void decide(Diagnosis& d) {
     d.verdict = Verdict::sensor;
   } else if (silent + sensor > 0.5) {
     d.verdict = Verdict::nothing;
-  } else if (first.kind == Hypothesis::Kind::effect && !first.ids.empty() && first.probability > 0.6 &&
-             silent + sensor < 0.1) {
+  } else if (!d.claims.empty() && d.claims.front().probability > 0.8 && silent + sensor < 0.1) {
     d.verdict = Verdict::found;
   } else {
     d.verdict = Verdict::ambiguous;
@@ -174,8 +172,9 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
     if (study.along && s.hypothesis->applied.effect.fine) {
       // Its depth, width and every run's place are fitted through the simulator; the gain counts in pairs, too.
       Explanation x = explained(b, nuisances, {started(*s.hypothesis, s.evidence.amplitude[0])}, s.hypothesis->places);
-      x.log_evidence = simulated_share * (x.log_evidence - refine(b, nuisances, {}, 4).log_evidence);
-      fine_gain[s.hypothesis->id] = std::max(0.0, x.log_evidence - s.log_evidence);
+      x.log_evidence =
+          std::max(s.log_evidence, simulated_share * (x.log_evidence - refine(b, nuisances, {}, 4).log_evidence));
+      fine_gain[s.hypothesis->id] = x.log_evidence - s.log_evidence;
       d.explanations.push_back(std::move(x));
     } else if (study.along) {
       d.explanations.push_back(weighed(b, {s.hypothesis}, s.evidence, s.log_evidence));

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "apc/base/markup.h"
+#include "apc/learning/along_chart.h"
 
 namespace apc::learning {
 namespace {
@@ -143,7 +144,7 @@ std::string learn_page(const Study& study) {
   page +=
       "</p><h2>Where it fails</h2><p>Strength of the bed the fit needed under the main gear: red softer, blue harder "
       "by up to 25 %.</p>" +
-      strip(b);
+      strip(b) + along_charts(study);
   page +=
       "<h2>Measured and fitted</h2><p>Dots measured, line the model with its background fitted, led along the measured "
       "speed.</p>";
