@@ -11,9 +11,11 @@
 
 namespace apc::sph {
 
-struct RollingRun {
+/// A tire rolling through a block of foam: particles (`RollingRun`) or elements.
+template <class Block>
+struct RollingRunOf {
   RollingCase setup;  ///< with every default written out
-  Bed bed;
+  Block bed;
   Tire tire;
   WheelPath path;
   ContactLaw law;
@@ -26,6 +28,7 @@ struct RollingRun {
   double radius() const { return 0.5 * setup.tire.diameter; }
   double bin() const { return 0.25 * setup.window; }
 };
+using RollingRun = RollingRunOf<Bed>;
 
 /// `setup` with the zeros replaced by the defaults they stand for; InputError for a senseless case.
 RollingCase completed(const RollingCase& setup);

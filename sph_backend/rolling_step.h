@@ -78,4 +78,15 @@ struct Columns {
 };
 Columns window_columns(const RollingCase&, double axle_x);
 
+/// What the history and the account of a run say, whatever the block of foam.
+template <class Run>
+void sum_up(const Run& run, RollingResult& result) {
+  measure(run.history, run.internal, result);
+  result.energy = run.energy;
+  result.energy.tire_stored = stored_energy(run.tire);
+  result.energy.tire_kinetic = tread_kinetic_energy(run.tire);
+  result.residual = result.energy.residual();
+  result.rut_depth = run.setup.penetration - result.tire_deflection;
+}
+
 }  // namespace apc::sph

@@ -9,6 +9,7 @@
 #include "sph_backend/checkpoint_hdf5.h"
 #include "sph_backend/rolling_history.h"
 #include "sph_backend/rolling_run.h"
+#include "sph_backend/rolling_step.h"
 #include "sph_backend/snapshot_vtu.h"
 
 namespace apc::sph {
@@ -36,12 +37,7 @@ bool failed(const RollingRun& run, RollingResult& result) {
 }
 
 void finish(const RollingRun& run, RollingResult& result) {
-  measure(run.history, run.internal, result);
-  result.energy = run.energy;
-  result.energy.tire_stored = stored_energy(run.tire);
-  result.energy.tire_kinetic = tread_kinetic_energy(run.tire);
-  result.residual = result.energy.residual();
-  result.rut_depth = run.setup.penetration - result.tire_deflection;
+  sum_up(run, result);
   result.rut_left = run.setup.bed_depth - surface_behind(run);
   const GasState gas = gas_state(run.tire);
   result.gas_pressure = gas.pressure, result.gas_volume_change = gas.volume_change;

@@ -13,20 +13,8 @@
 namespace apc::sph::fem {
 namespace {
 
-struct FemRun {
-  RollingCase setup;
-  Mesh bed;
-  Tire tire;
-  WheelPath path;
-  ContactLaw law;
-  EnergyAccount energy;
-  RollingSums sums;
-  RollingHistory history;
-  std::vector<double> internal;
-  ContactResult contact;
-
-  double bin() const { return 0.25 * setup.window; }
-};
+/// A type of this file, so that its follow() is found.
+struct FemRun : RollingRunOf<Mesh> {};
 
 void follow(FemRun& run, const AxleState& axle) {
   const Columns c = window_columns(run.setup, axle.x);
@@ -89,12 +77,7 @@ void cut_section(const FemRun& run, RollingResult& result) {
 }
 
 void finish(const FemRun& run, RollingResult& result) {
-  measure(run.history, run.internal, result);
-  result.energy = run.energy;
-  result.energy.tire_stored = stored_energy(run.tire);
-  result.energy.tire_kinetic = tread_kinetic_energy(run.tire);
-  result.residual = result.energy.residual();
-  result.rut_depth = run.setup.penetration - result.tire_deflection;
+  sum_up(run, result);
   result.compaction = largest_compaction(run.bed);
   result.particles = static_cast<double>(run.bed.active_end - run.bed.active_first) * run.bed.ny * run.bed.nz;
   result.steps = static_cast<double>(run.bed.steps);
