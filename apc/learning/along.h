@@ -39,10 +39,7 @@ struct Along {
   std::vector<GearFacts> gears;
   std::vector<AlongRun> runs;
   Eigen::MatrixXd precision;  ///< prior of all unknowns
-  double log_determinant = 0.0;
   AlongNoise noise;
-  double log_evidence = 0.0;
-  Eigen::VectorXd unknowns;  ///< posterior mean without any effect
 };
 
 /// Null where a run has no survey or too few channels, or the aircraft more than two gear groups.

@@ -26,7 +26,7 @@ std::vector<Point> accelerations(const AlongRun& a, const Eigen::VectorXd& value
   return list;
 }
 
-/// Readings the plain tables predict with nothing fitted but the instruments, and with effects on top.
+/// What the tables at the surveyed ruts predict with the effects the diagnosis would add.
 Eigen::VectorXd with_effects(const Study& study, std::size_t r) {
   const AlongRun& a = study.along->runs[r];
   const Run& run = study.background.runs[r];

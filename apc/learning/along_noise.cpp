@@ -6,6 +6,7 @@
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
+#include "apc/base/units.h"
 
 namespace apc::learning {
 namespace {
@@ -62,13 +63,9 @@ Eigen::MatrixXd drag_error_readings(const Run& run, const AlongRun& a, Eigen::In
   return B;
 }
 
-struct Fit {
-  double log_evidence = 0.0;
-  Eigen::VectorXd mean;
-};
-
-Fit evidence_under(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior,
-                   const AlongNoise& noise, unsigned threads) {
+/// Log evidence without any effect; leaves the runs' factors as this noise makes them.
+double evidence_under(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior,
+                      const AlongNoise& noise, unsigned threads) {
   const AlongPrior wide = with_vertical_error(prior, layout, noise.vertical_table);
   const Eigen::Index n = wide.precision.rows();
   std::vector<Eigen::MatrixXd> information(along.runs.size());
@@ -86,15 +83,12 @@ Fit evidence_under(Along& along, const Case& data, const Layout& layout, const A
   });
   Eigen::MatrixXd M = wide.precision;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
-  Fit fit;
-  fit.log_evidence = 0.5 * wide.log_determinant;
+  double log_evidence = 0.5 * wide.log_determinant;
   for (std::size_t r = 0; r < along.runs.size(); ++r)
-    M += Eigen::MatrixXd(information[r].selfadjointView<Eigen::Lower>()), sum += right[r], fit.log_evidence += rest[r];
+    M += Eigen::MatrixXd(information[r].selfadjointView<Eigen::Lower>()), sum += right[r], log_evidence += rest[r];
   const Eigen::LLT<Eigen::MatrixXd> factor(M);
   expect(factor.info() == Eigen::Success, "the normal matrix along the motion is not positive");
-  fit.mean = factor.solve(sum);
-  fit.log_evidence += 0.5 * sum.dot(fit.mean) - factor.matrixLLT().diagonal().array().log().sum();
-  return fit;
+  return log_evidence + 0.5 * sum.dot(factor.solve(sum)) - factor.matrixLLT().diagonal().array().log().sum();
 }
 
 }  // namespace
@@ -114,13 +108,13 @@ Eigen::MatrixXd noise_factor(const Case& data, const std::vector<GearFacts>& gea
     const auto part = a.ruts.middleCols(g * knots, knots);
     C += part * R * part.transpose();
   }
-  const double turning = n.pitching * 9.80665 * run.overrun.mass / run.overrun.pitch_inertia * knot;
+  const double turning = n.pitching * units::g0 * run.overrun.mass / run.overrun.pitch_inertia * knot;
   for (std::size_t i = 0; i < a.readings.size(); ++i) {
     const Reading& p = a.readings[i];
     const auto row = static_cast<Eigen::Index>(i);
     const bool accelerometer = p.quantity == Quantity::acceleration_x || p.quantity == Quantity::acceleration_z;
     C(row, row) += std::pow(p.deviation * (accelerometer && !p.is_stop() ? n.accelerometer : 1.0), 2);
-    const double slow = p.quantity == Quantity::acceleration_z ? n.up * 9.80665
+    const double slow = p.quantity == Quantity::acceleration_z ? n.up * units::g0
                         : p.quantity == Quantity::pitch_rate   ? turning
                                                                : 0.0;
     if (slow == 0.0) continue;
@@ -140,7 +134,7 @@ void fit_noise(Along& along, const Case& data, const Layout& layout, const Along
   };
   constexpr std::array<std::array<double, 2>, 7> range = {
       {{0.0015, 0.012}, {0.01, 0.3}, {0.01, 0.5}, {0.01, 1.0}, {0.1, 2.0}, {1.0, 4.0}, {1.0, 4.0}}};
-  double highest = evidence_under(along, data, layout, prior, along.noise, threads).log_evidence;
+  double highest = evidence_under(along, data, layout, prior, along.noise, threads);
   for (int pass = 0; pass < 2; ++pass)
     for (std::size_t p = 0; p < range.size(); ++p) {
       AlongNoise best = along.noise;
@@ -150,15 +144,13 @@ void fit_noise(Along& along, const Case& data, const Layout& layout, const Along
         const double before = value;
         value = std::clamp(value * factor, range[p][0], range[p][1]);
         if (value == before) continue;
-        const double there = evidence_under(along, data, layout, prior, tried, threads).log_evidence;
+        const double there = evidence_under(along, data, layout, prior, tried, threads);
         if (there > highest) highest = there, best = tried;
       }
       along.noise = best;
     }
-  const Fit fit = evidence_under(along, data, layout, prior, along.noise, threads);
-  const AlongPrior wide = with_vertical_error(prior, layout, along.noise.vertical_table);
-  along.precision = wide.precision, along.log_determinant = wide.log_determinant;
-  along.log_evidence = fit.log_evidence, along.unknowns = fit.mean;
+  evidence_under(along, data, layout, prior, along.noise, threads);  // the last one tried was another
+  along.precision = with_vertical_error(prior, layout, along.noise.vertical_table).precision;
 }
 
 }  // namespace apc::learning

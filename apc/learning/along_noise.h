@@ -9,7 +9,7 @@ namespace apc::learning {
 Eigen::MatrixXd noise_factor(const Case&, const std::vector<GearFacts>&, const Run&, const AlongRun&,
                              const AlongNoise&);
 
-/// Finds `noise` by coordinate search on the evidence, then fills factors, precision and posterior mean.
+/// Finds `noise` by coordinate search on the evidence, then fills factors and precision.
 void fit_noise(Along&, const Case&, const Layout&, const AlongPrior&, unsigned threads);
 
 }  // namespace apc::learning

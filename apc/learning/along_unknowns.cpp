@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apc/base/units.h"
 #include "apc/effects/catalogue.h"
+#include "apc/simulation/plant.h"
 
 namespace apc::learning {
 namespace {
@@ -99,7 +101,7 @@ Eigen::MatrixXd sensitivities(const Case& data, const Layout& layout, const std:
   };
   edited(at.mass, step, [&](Balance& b, Eigen::Index i) {
     b.along[i] /= 1.0 + step, b.pitching[i] /= 1.0 + step;
-    b.up[i] = (b.up[i] + 9.80665) / (1.0 + step) - 9.80665;
+    b.up[i] = (b.up[i] + units::g0) / (1.0 + step) - units::g0;
   });
   edited(at.inertia, step, [&](Balance& b, Eigen::Index i) { b.pitching[i] /= 1.0 + step; });
   edited(at.cg, step, [&](Balance& b, Eigen::Index i) {
@@ -108,7 +110,7 @@ Eigen::MatrixXd sensitivities(const Case& data, const Layout& layout, const std:
   });
   S.col(layout.cg) = S.col(at.cg);
   const auto pressure = [&](Eigen::Index i) {
-    return 0.5 * 1.225 * data.aircraft.aero.area / mass *
+    return 0.5 * simulation::air_density * data.aircraft.aero.area / mass *
            std::pow(m.speed[static_cast<std::size_t>(i)] + run.overrun.headwind, 2);
   };
   edited(layout.drag, step,

@@ -166,7 +166,6 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   if (!study.along) d.explanations.back().log_evidence = refine(b, nuisances, {}, 4).log_evidence;
   std::map<std::string, double> fine_gain;
   constexpr std::size_t most_singles = 7, most_pairs = 6;
-  std::set<std::string> refined;
   for (std::size_t i = 0; i < singles.size(); ++i) {
     const Single& s = singles[i];
     if (study.along && s.hypothesis->applied.effect.fine) {
@@ -181,7 +180,6 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
     } else if (i < most_singles) {
       d.explanations.push_back(
           explained(b, nuisances, {started(*s.hypothesis, s.evidence.amplitude[0])}, s.hypothesis->places));
-      refined.insert(s.hypothesis->id);
     } else {
       Explanation x;
       x.ids = {s.hypothesis->id};

@@ -9,7 +9,7 @@ namespace apc::learning {
 namespace {
 
 // A delay has root mean square `lag` and is half-normal: mean 0.80 lag, deviation 0.60 lag.
-constexpr double lag_mean = 0.798, lag_deviation = 0.603;
+constexpr double lag_deviation = 0.603;
 // The response to sinking is derived for a rigid wheel; a tire flattens.
 constexpr double sinking_deviation = 0.4, sinking_drag_deviation = 0.3;
 constexpr double bed_strength_deviation = 0.04, drag_deviation = 0.08, cg_height_deviation = 0.02;
@@ -93,7 +93,7 @@ Eigen::VectorXd prior_mean(const Layout& layout, const std::vector<Run>& runs) {
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(layout.size);
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (std::size_t c = 0; c < runs[r].channels.size(); ++c)
-      mean[layout.runs[r].lag[c]] = lag_mean * runs[r].channels[c].lag;
+      mean[layout.runs[r].lag[c]] = mean_lag * runs[r].channels[c].lag;
   return mean;
 }
 

@@ -27,6 +27,9 @@ struct Scatter {
 /// m/s, for drag, then for vertical load.
 inline constexpr Eigen::Index table_numbers = 12;
 
+/// Mean of a half-normal delay, in units of its root mean square.
+inline constexpr double mean_lag = 0.798;
+
 struct RunLayout {
   Eigen::Index entry_speed = 0, mass = 0, cg = 0, inertia = 0, wind = 0, clock = 0, shift = 0, stretch = 0;
   std::vector<Eigen::Index> bias, scale, lag;                 ///< per channel

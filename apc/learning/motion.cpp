@@ -6,7 +6,6 @@
 namespace apc::learning {
 namespace {
 
-constexpr double mean_lag = 0.798;  ///< of a half-normal delay, in units of its root mean square
 constexpr double rut_curvature = 0.02;
 
 double linear(const std::vector<double>& values, double place) {

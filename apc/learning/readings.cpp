@@ -9,7 +9,7 @@
 namespace apc::learning {
 namespace {
 
-constexpr double window = 0.1, mean_lag = 0.798;
+constexpr double window = 0.1;
 
 struct Mean {
   double value = 0.0, time = 0.0;

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "apc/base/units.h"
+#include "apc/simulation/plant.h"
 
 namespace apc::learning {
 namespace {
 
-constexpr double air_density = 1.225, least_rut = 0.002;
+constexpr double least_rut = 0.002;
 /// Beds thinner than this are between the table's thinnest sample and pavement: blended, loads limited.
 constexpr double thin = 0.12;
 
@@ -122,10 +123,13 @@ Balance balance_at_ruts(const Case& data, const std::vector<GearFacts>& gears, c
   const auto n = static_cast<Eigen::Index>(m.size());
   b.along = Eigen::VectorXd::Zero(n), b.up = b.pitching = b.along;
   if (penetration) penetration->assign(gears.size(), none);
+  std::vector<double> ratio;
+  for (const GearFacts& gear : gears)
+    ratio.push_back(rolling_ratio(*gear.table, share.static_load(gear, mass, run.overrun.cg_behind_nose_gear)));
   for (std::size_t i = 0; i < m.size(); ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     const double v = std::max(m.speed[i], 0.1);
-    const double pressure = 0.5 * air_density * std::pow(v + run.overrun.headwind, 2) * craft.aero.area;
+    const double pressure = 0.5 * simulation::air_density * std::pow(v + run.overrun.headwind, 2) * craft.aero.area;
     b.along[k] =
         (-pressure * craft.aero.CD + alterations.thrust(m.time[i]) + run.overrun.thrust) / mass - units::g0 * bed.grade;
     b.up[k] = pressure * craft.aero.CL / mass - units::g0;
@@ -134,7 +138,7 @@ Balance balance_at_ruts(const Case& data, const std::vector<GearFacts>& gears, c
       const GearFacts& gear = gears[g];
       const double place = m.place[i] - gear.behind, depth = place > 0.0 ? bed.depth_at(place) : 0.0;
       const double standing = share.static_load(gear, mass, run.overrun.cg_behind_nose_gear);
-      const double rolling = rolling_ratio(*gear.table, standing);
+      const double rolling = ratio[g];
       double drag = rolling * standing, vertical = standing, slope = 0.0;
       if (depth > 1e-4) {
         effects::TirePlace at{{v, depth, 0.0}, place, m.place[i], m.time[i]};
@@ -200,7 +204,8 @@ void settle(const Case& data, const std::vector<GearFacts>& gears, const Run& ru
     for (std::size_t i = 0; i < m.size(); ++i) {
       if (m.place[i] - share.main < 1.0) continue;
       const double t = m.time[i], turn = (turning.at(t + 0.1) - turning.at(t - 0.1)) / 0.2;
-      const double lift = 0.5 * air_density * m.speed[i] * m.speed[i] * data.aircraft.aero.area * data.aircraft.aero.CL;
+      const double lift =
+          0.5 * simulation::air_density * m.speed[i] * m.speed[i] * data.aircraft.aero.area * data.aircraft.aero.CL;
       const double total = mass * (up.at(t) - az->lever_arm * turn + units::g0) - lift;
       const double drag = -mass * std::max(0.0, -b.along[static_cast<Eigen::Index>(i)]);
       const double moment = run.overrun.pitch_inertia * turn - drag * arm(data, gears[gears[0].nose ? 1 : 0]);
