@@ -59,7 +59,7 @@ std::string chart(const Study& study, std::size_t r, double reach) {
     svg += fmt::format(
         "<line x1='50' x2='690' y1='{0:.1f}' y2='{0:.1f}' stroke='var(--line)'/><text x='46' y='{1:.1f}' "
         "text-anchor='end'>{2:.1f} g</text>",
-        y, y + 4.0, -g);
+        y, y + 4.0, std::abs(g));
   }
   svg += "<g class='dots'>";
   for (const Point& p : dots)
@@ -107,7 +107,7 @@ std::string map(const Study& study, double reach) {
       svg += fmt::format(
           "<rect x='{:.1f}' y='{:.0f}' width='{:.1f}' height='20' fill='{}'><title>{:.0f} m: {:+.3f}"
           "</title></rect>",
-          66.0 + 640.0 * from / reach, y, 640.0 * bin / reach + 0.4, colour(sum / count / units::g0), from,
+          66.0 + 640.0 * from / reach, y, 640.0 * std::min(bin, reach - from) / reach + 0.4, colour(sum / count / units::g0), from,
           sum / count / units::g0);
     }
   }
