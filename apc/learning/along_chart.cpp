@@ -107,8 +107,8 @@ std::string map(const Study& study, double reach) {
       svg += fmt::format(
           "<rect x='{:.1f}' y='{:.0f}' width='{:.1f}' height='20' fill='{}'><title>{:.0f} m: {:+.3f}"
           "</title></rect>",
-          66.0 + 640.0 * from / reach, y, 640.0 * std::min(bin, reach - from) / reach + 0.4, colour(sum / count / units::g0), from,
-          sum / count / units::g0);
+          66.0 + 640.0 * from / reach, y, 640.0 * std::min(bin, reach - from) / reach + 0.4,
+          colour(sum / count / units::g0), from, sum / count / units::g0);
     }
   }
   return svg + fmt::format(
