@@ -43,7 +43,24 @@ class Claim {
   bool held_ = false;
 };
 
+/// Waits for the folder; the kernel frees it when the process ends, however it ends.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder) : file_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    require(file_ >= 0 && flock(file_, LOCK_EX) == 0, folder.string(), ": cannot be locked for this campaign");
+  }
+  ~FolderLock() { close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
+/// The first process writes the settings, the others must agree with them; the folder is locked meanwhile, so two that
+/// start together cannot both be first.
 void settle_settings(const fs::path& folder, const CampaignSettings& wanted) {
+  const FolderLock lock(folder);
   const auto found = campaign_settings(folder);
   if (!found) {
     write_settings(wanted, folder);

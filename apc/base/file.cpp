@@ -1,6 +1,9 @@
 #include "apc/base/file.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -11,6 +14,18 @@
 
 namespace apc {
 namespace fs = std::filesystem;
+
+namespace {
+
+/// `path.PROCESS.COUNT.part`: no two writers share a name, so each renames its own whole file and the last one wins.
+fs::path temporary_name(const fs::path& path) {
+  static std::atomic<unsigned> count{0};
+  fs::path part = path;
+  part += concat(".", getpid(), ".", count++, ".part");
+  return part;
+}
+
+}  // namespace
 
 std::string read_text(const fs::path& path) {
   std::error_code error;
@@ -27,8 +42,7 @@ void write_atomically(const fs::path& path, const std::function<void(const fs::p
   std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   require(!error, path.string(), ": cannot make the folder (", error.message(), ")");
-  fs::path part = path;
-  part += ".part";
+  const auto part = temporary_name(path);
   try {
     write(part);
   } catch (...) {

@@ -11,7 +11,8 @@ namespace apc {
 /// Throws InputError when the file is missing, a folder, or unreadable.
 std::string read_text(const std::filesystem::path&);
 
-/// Writes `path.part`, then renames it; creates missing parent folders. On failure nothing is left behind (InputError).
+/// Writes beside `path` under a name of this writer's own (`.part`), then renames it; creates missing parent folders.
+/// Writers of one path at the same time leave one of their whole files. On failure nothing is left behind (InputError).
 void write_text(const std::filesystem::path&, const std::string& text);
 
 /// Same promise for writers that need a file name (HDF5): `write(part)` fills the temporary file.

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "apc/base/file.h"
 #include "apc/base/hdf5.h"
@@ -11,6 +13,7 @@ namespace apc {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -48,6 +51,23 @@ TEST_F(Files, AFailedWriteLeavesNothingAndKeepsTheOld) {
                                 }),
                InputError);
   EXPECT_EQ(read_text(folder / "kept.txt"), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(Files, SeveralWritersOfOnePathLeaveOneWholeFile) {
+  std::atomic<int> refused{0};
+  const auto writer = [&](char letter) {
+    for (int i = 0; i < 200; ++i) try {
+        write_text(folder / "shared.txt", std::string(1000, letter));
+      } catch (const InputError&) {
+        ++refused;
+      }
+  };
+  std::thread one(writer, 'a'), two(writer, 'b');
+  one.join();
+  two.join();
+  EXPECT_EQ(refused, 0);
+  EXPECT_THAT(read_text(folder / "shared.txt"), AnyOf(std::string(1000, 'a'), std::string(1000, 'b')));
   EXPECT_EQ(entries(), 1u);
 }
 
