@@ -100,7 +100,7 @@ void for_each_integer_field(Run& run, Visit&& visit) {
 
 void save_checkpoint(const RollingRun& run, const std::filesystem::path& path) {
   save_hdf5(path, [&](Hdf5Writer& file) {
-    file.attribute("/", "schema", "apc-sph-checkpoint/1");
+    file.attribute("/", "schema", "apc-sph-checkpoint/2");
     file.attribute("/", "case", fingerprint(run.setup));
     std::vector<double> scalars;
     for_each_scalar(run, [&](double v) { scalars.push_back(v); });
@@ -127,7 +127,7 @@ void save_checkpoint(const RollingRun& run, const std::filesystem::path& path) {
 
 void load_checkpoint(RollingRun& run, const std::filesystem::path& path) {
   const Hdf5Reader file(path);
-  require(file.has_attribute("/", "schema") && file.text("/", "schema") == "apc-sph-checkpoint/1", path.string(),
+  require(file.has_attribute("/", "schema") && file.text("/", "schema") == "apc-sph-checkpoint/2", path.string(),
           ": is not a checkpoint of an SPH run. Remove it or give another path.");
   require(file.text("/", "case") == fingerprint(run.setup), path.string(),
           ": belongs to another case. Remove it to start anew, or give another checkpoint path.");
@@ -158,7 +158,7 @@ void load_checkpoint(RollingRun& run, const std::filesystem::path& path) {
       n.images[i].sign[a] = placement[6 * i + a], n.images[i].shift[a] = placement[6 * i + 3 + a];
   }
   // Records are filled from the particles at the next step; only their room is needed.
-  n.records.assign((b.particles.size() + n.images.size()) * record::size, 0.0f);
+  add_records(n, b.particles.size());
   n.internal.assign(n.clusters, 0.0), n.viscous.assign(n.clusters, 0.0), n.damped.assign(n.clusters, 0.0);
   for (auto& a : b.acceleration) a.assign(b.particles.size(), 0.0f);
 }

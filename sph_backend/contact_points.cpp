@@ -14,6 +14,7 @@ ContactPoints contact_points(const Bed& bed) {
   points.reach = 0.5 * bed.layer;
   points.stiffness = 2.0 * bed.spec.foam.youngs_modulus * bed.spec.spacing;
   points.mass = bed.mass, points.dt = bed.dt;
+  points.team = bed.team.get();
   return points;
 }
 

@@ -8,6 +8,7 @@
 namespace apc::sph {
 
 struct Bed;
+class Team;
 
 struct ContactPoints {
   std::size_t count = 0;                 ///< of `which`, or of all points
@@ -20,6 +21,7 @@ struct ContactPoints {
   double stiffness = 0.0;                                    ///< penalty k of one point, N/m
   double mass = 0.0;                                         ///< of one point, kg (the lightest, if they differ)
   double dt = 0.0;                                           ///< s
+  Team* team = nullptr;                                      ///< looks through the points; null: the caller alone
 
   /// r_c = reach · ρ0/ρ, with the stretches of this or of the last step.
   double radius(const float* stretches, std::size_t i) const {

@@ -9,6 +9,7 @@
 namespace apc::sph {
 namespace {
 
+constexpr int piece = 1024;         // particles of one piece of work
 constexpr double floor_gap = 0.05;  // in layers: half the height of a particle compacted to 90 %
 
 int layers(const Bed& bed) { return static_cast<int>(std::lround(bed.spec.depth / bed.layer)); }
@@ -35,10 +36,11 @@ void fill_records(Bed& bed, int first, int last) {
   const Particles& p = bed.particles;
   Neighbours& n = bed.neighbours;
   const double h0 = smoothing_ratio * bed.spec.spacing;
-  const float inverse_h0 = static_cast<float>(1.0 / h0), most = static_cast<float>(1.0 / smoothing_floor);
+  const float quarter = static_cast<float>(0.25 / h0), most = static_cast<float>(1.0 / smoothing_floor);
+  // For a pair's μ doubled, as the kernel takes it: ½ of α c̄/ρ̄ and ¼ of β/ρ̄, and half of either from each partner.
   const float a0 =
-      static_cast<float>(0.5 * bed.mass * bed.spec.alpha * bed.spec.foam.sound_speed() / bed.spec.foam.density);
-  const float b0 = static_cast<float>(0.5 * bed.mass * bed.spec.beta / bed.spec.foam.density);
+      static_cast<float>(0.25 * bed.mass * bed.spec.alpha * bed.spec.foam.sound_speed() / bed.spec.foam.density);
+  const float b0 = static_cast<float>(0.125 * bed.mass * bed.spec.beta / bed.spec.foam.density);
   const float v0 = static_cast<float>(bed.volume0);
   for (int i = first; i < last; ++i) {
     float* r = &n.records[static_cast<std::size_t>(i) * record::size];
@@ -47,19 +49,19 @@ void fill_records(Bed& bed, int first, int last) {
     r[y] = static_cast<float>(p.y[i] - n.grid.origin[1]);
     r[z] = static_cast<float>(p.z[i] - n.grid.origin[2]);
     r[vx] = static_cast<float>(p.vx[i]), r[vy] = static_cast<float>(p.vy[i]), r[vz] = static_cast<float>(p.vz[i]);
-    r[inverse_h] = inverse_h0 * std::min(std::max(s, 1.0f), most);
+    r[quarter_inverse_h] = quarter * std::min(std::max(s, 1.0f), most);
     r[visc_a] = a0 * ratio * std::sqrt(ratio);
     r[visc_b] = b0 * ratio;
     r[volume] = v0 * ratio;
   }
 }
 
-void fill_stress_records(Bed& bed) {
+void fill_stress_records(Bed& bed, int first, int last) {
   const Particles& p = bed.particles;
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (int i = first; i < last; ++i) {
     const float s = p.stretch[i], v = static_cast<float>(bed.volume0) / (s * s * s);
     for (int c = 0; c < 6; ++c)
-      bed.neighbours.records[i * record::size + record::sxx + c] =
+      bed.neighbours.records[static_cast<std::size_t>(i) * record::size + record::sxx + c] =
           p.stress[c][i] * (v * v / static_cast<float>(bed.mass));
   }
 }
@@ -67,14 +69,15 @@ void fill_stress_records(Bed& bed) {
 void renew_neighbours(Bed& bed) {
   Neighbours& n = bed.neighbours;
   n.grid.origin[0] = bed.spec.first_column * bed.spec.spacing;
-  sort_particles(bed.particles, n.grid, bed.spec.mirror_ends || bed.spec.free_body ? -1e30 : n.grid.origin[0]);
-  n.records.assign(bed.particles.size() * record::size, 0.0f);
-  fill_records(bed, 0, static_cast<int>(bed.particles.size()));
-  fill_stress_records(bed);
+  const double rear = bed.spec.mirror_ends || bed.spec.free_body ? -1e30 : n.grid.origin[0];
+  bed.alive = sort_particles(bed.particles, n.grid, rear, *bed.team);
+  n.records.resize(bed.particles.size() * record::size);
+  bed.team->run(static_cast<int>(bed.particles.size()), piece, [&](int first, int last) {
+    fill_records(bed, first, last);
+    fill_stress_records(bed, first, last);
+  });
   build_lists(n, bed.particles, *bed.team);
-  for (auto& a : bed.acceleration) a.assign(bed.particles.size(), 0.0f);
-  bed.alive = static_cast<int>(
-      std::count_if(bed.particles.id.begin(), bed.particles.id.end(), [](std::int32_t id) { return id >= 0; }));
+  for (auto& a : bed.acceleration) a.resize(bed.particles.size());
   ++bed.rebuilds;
 }
 
@@ -103,14 +106,16 @@ PairWork pair_work(Bed& bed) {
 double push_off_floor(Bed& bed) {
   const Particles& p = bed.particles;
   const double k = 6.0 * bed.spec.foam.youngs_modulus * bed.spec.spacing;
-  double stored = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const double overlap = floor_gap * bed.layer - p.z[i];
-    if (overlap <= 0.0) continue;
-    bed.acceleration[2][i] += static_cast<float>(k * overlap / bed.mass);
-    if (p.hold[i] != hold_all) stored += 0.5 * k * overlap * overlap;
-  }
-  return stored;
+  return bed.team->sum(static_cast<int>(p.size()), piece, [&](int first, int last) {
+    double stored = 0.0;
+    for (int i = first; i < last; ++i) {
+      const double overlap = floor_gap * bed.layer - p.z[i];
+      if (overlap <= 0.0) continue;
+      bed.acceleration[2][i] += static_cast<float>(k * overlap / bed.mass);
+      if (p.hold[i] != hold_all) stored += 0.5 * k * overlap * overlap;
+    }
+    return stored;
+  });
 }
 
 double total(const std::vector<double>& parts) {
@@ -174,7 +179,7 @@ void drift(Bed& bed) {
   Neighbours& n = bed.neighbours;
   const int count = static_cast<int>(p.size());
   std::atomic<bool> outrun{false};
-  bed.team->run(count, 1024, [&](int first, int last) {
+  bed.team->run(count, piece, [&](int first, int last) {
     bool far = false;
     for (int i = first; i < last; ++i)
       p.x[i] += bed.dt * p.vx[i], p.y[i] += bed.dt * p.vy[i], p.z[i] += bed.dt * p.vz[i];
@@ -192,14 +197,14 @@ void drift(Bed& bed) {
   if (outrun)
     renew_neighbours(bed);
   else
-    refresh_motion(n.records, p.size(), n.images);
+    refresh_motion(n.records, p.size(), n.images, *bed.team);
 }
 
 void strain(Bed& bed) {
   const PairWork work = pair_work(bed);
   const auto& kernels = pair_kernels();
-  bed.team->run(bed.neighbours.clusters, 4, [&](int first, int last) { kernels.strain(work, first, last); });
-  refresh_stress(bed.neighbours.records, bed.particles.size(), bed.neighbours.images);
+  bed.team->run(bed.neighbours.clusters, 8, [&](int first, int last) { kernels.strain(work, first, last); });
+  refresh_stress(bed.neighbours.records, bed.particles.size(), bed.neighbours.images, *bed.team);
   bed.energy.internal += total(bed.neighbours.internal);
   bed.energy.damping += total(bed.neighbours.damped);
 }
@@ -207,27 +212,40 @@ void strain(Bed& bed) {
 void accelerate(Bed& bed) {
   const PairWork work = pair_work(bed);
   const auto& kernels = pair_kernels();
-  bed.team->run(bed.neighbours.clusters, 4, [&](int first, int last) { kernels.accelerate(work, first, last); });
+  bed.team->run(bed.neighbours.clusters, 8, [&](int first, int last) { kernels.accelerate(work, first, last); });
   bed.energy.viscous += total(bed.neighbours.viscous);
   if (!bed.spec.free_body) bed.energy.floor = push_off_floor(bed);
 }
 
 void kick(Bed& bed) {
   Particles& p = bed.particles;
-  double twice = 0.0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.hold[i] == hold_all) continue;
-    if (!(p.hold[i] & hold_x)) p.vx[i] += bed.dt * bed.acceleration[0][i];
-    if (!(p.hold[i] & hold_y)) p.vy[i] += bed.dt * bed.acceleration[1][i];
-    if (!(p.hold[i] & hold_z)) p.vz[i] += bed.dt * bed.acceleration[2][i];
-    twice += p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
-  }
+  const double twice = bed.team->sum(static_cast<int>(p.size()), piece, [&](int first, int last) {
+    double sum = 0.0;
+    for (int i = first; i < last; ++i) {
+      if (p.hold[i] == hold_all) continue;
+      if (!(p.hold[i] & hold_x)) p.vx[i] += bed.dt * bed.acceleration[0][i];
+      if (!(p.hold[i] & hold_y)) p.vy[i] += bed.dt * bed.acceleration[1][i];
+      if (!(p.hold[i] & hold_z)) p.vz[i] += bed.dt * bed.acceleration[2][i];
+      sum += p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i];
+    }
+    return sum;
+  });
   bed.energy.kinetic = 0.5 * bed.mass * twice;
+}
+
+double largest_compaction(const Bed& bed) {
+  double stretch = 1.0;
+  for (const float one : bed.particles.stretch) {
+    if (std::isnan(one)) return one;
+    stretch = std::max(stretch, static_cast<double>(one));
+  }
+  return 1.0 - 1.0 / (stretch * stretch * stretch);
 }
 
 BedState inspect(const Bed& bed) {
   const Neighbours& n = bed.neighbours;
   BedState state;
+  state.compaction = largest_compaction(bed);
   state.partition_min = 1.0;
   double sum = 0.0;
   int counted = 0;
@@ -235,13 +253,12 @@ BedState inspect(const Bed& bed) {
     for (int i = c * lanes; i < (c + 1) * lanes; ++i) {
       if (bed.particles.id[i] < 0) continue;
       const double s = bed.particles.stretch[i], compaction = 1.0 - 1.0 / (s * s * s);
-      state.compaction = std::max(state.compaction, compaction);
       if (compaction < 0.5) continue;
       const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
       double partition = 0.0;
       for (std::uint32_t k = n.first[c]; k < n.first[c + 1]; ++k) {
         const float* q = &n.records[static_cast<std::size_t>(n.list[k]) * record::size];
-        const double g = 0.5 * (r[record::inverse_h] + q[record::inverse_h]);
+        const double g = 2.0 * (r[record::quarter_inverse_h] + q[record::quarter_inverse_h]);
         partition += q[record::volume] * kernel(std::hypot(r[0] - q[0], r[1] - q[1], r[2] - q[2]), g);
       }
       state.partition_min = std::min(state.partition_min, partition);

@@ -78,6 +78,9 @@ void kick(Bed&);
 /// Position of a column of the lattice, m.
 inline double column_position(const BedSpec& spec, int column) { return (column + 0.5) * spec.spacing; }
 
+/// Largest 1 − ρ0/ρ; NaN when a particle's density is.
+double largest_compaction(const Bed& bed);
+
 struct BedState {
   double compaction = 0.0;      ///< largest 1 − ρ0/ρ
   double partition_min = 0.0;   ///< Σ_j V_j W over the particles compacted beyond one half: smallest …

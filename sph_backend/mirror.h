@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sph_backend/team.h"
+
 namespace apc::sph {
 
 struct MirrorPlane {
@@ -24,10 +26,11 @@ struct Image {
 /// Images of `count` records (and of images of earlier planes) within `range` of each plane; positions are relative to
 /// `origin`. Skips empty lanes.
 std::vector<Image> make_images(const std::vector<float>& records, const std::vector<std::int32_t>& ids,
-                               std::size_t count, const std::vector<MirrorPlane>&, const double origin[3], float range);
+                               std::size_t count, const std::vector<MirrorPlane>&, const double origin[3], float range,
+                               Team&);
 
 /// Copies everything but the stress (`motion`) or the stress of the parents into the image records behind `count`.
-void refresh_motion(std::vector<float>& records, std::size_t count, const std::vector<Image>&);
-void refresh_stress(std::vector<float>& records, std::size_t count, const std::vector<Image>&);
+void refresh_motion(std::vector<float>& records, std::size_t count, const std::vector<Image>&, Team&);
+void refresh_stress(std::vector<float>& records, std::size_t count, const std::vector<Image>&, Team&);
 
 }  // namespace apc::sph

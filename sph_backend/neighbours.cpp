@@ -5,13 +5,13 @@
 #include <numeric>
 
 #include "sph_backend/pair_kernels.h"
-#include "sph_backend/team.h"
 
 namespace apc::sph {
 namespace {
 
 constexpr double cell_spacings = 2.0;
 constexpr float far_away = 1e4f;
+constexpr int piece = 2048;  // particles of one piece of work
 
 /// Cells of the plan view; whatever lies outside belongs to the nearest cell.
 struct Cells {
@@ -32,39 +32,132 @@ struct Cells {
 };
 
 struct Entry {
-  int cell;
+  int cell;  ///< negative: left out
   float z;
   std::uint32_t index;
 };
 
-/// Stable in the order of `entries` for equal heights, so the result depends on nothing but the state.
-void sort_entries(std::vector<Entry>& entries, std::vector<std::uint32_t>& cell_first, int cells) {
+/// Entries by cell and height, and where each cell begins. Equal heights by index, so that the result depends on
+/// nothing but the state.
+void sort_entries(std::vector<Entry>& entries, std::vector<std::uint32_t>& cell_first, int cells, Team& team) {
   cell_first.assign(cells + 1, 0);
-  for (const auto& e : entries) ++cell_first[e.cell + 1];
+  for (const auto& e : entries)
+    if (e.cell >= 0) ++cell_first[e.cell + 1];
   std::partial_sum(cell_first.begin(), cell_first.end(), cell_first.begin());
-  std::vector<Entry> sorted(entries.size());
+  std::vector<Entry> sorted(cell_first.back());
   std::vector<std::uint32_t> place(cell_first.begin(), cell_first.end() - 1);
-  for (const auto& e : entries) sorted[place[e.cell]++] = e;
-  for (int c = 0; c < cells; ++c)
-    std::stable_sort(sorted.begin() + cell_first[c], sorted.begin() + cell_first[c + 1],
-                     [](const Entry& a, const Entry& b) { return a.z < b.z; });
+  for (const auto& e : entries)
+    if (e.cell >= 0) sorted[place[e.cell]++] = e;
+  team.run(cells, 16, [&](int first, int last) {
+    for (int c = first; c < last; ++c)
+      std::sort(sorted.begin() + cell_first[c], sorted.begin() + cell_first[c + 1],
+                [](const Entry& a, const Entry& b) { return a.z != b.z ? a.z < b.z : a.index < b.index; });
+  });
   entries.swap(sorted);
+}
+
+/// Sorted entries with all that decides whether they are neighbours.
+struct Sorted {
+  std::vector<std::uint32_t> number, cell_first;
+  std::vector<float> at[3], quarter_inverse_h, reach;
+
+  Candidates view() const {
+    return {{at[0].data(), at[1].data(), at[2].data()}, quarter_inverse_h.data(), reach.data(), number.data()};
+  }
+};
+
+Sorted sort_records(const Neighbours& n, const Particles& particles, const Cells& cells, Team& team) {
+  const std::size_t count = particles.size();
+  std::vector<Entry> entries(count + n.images.size());
+  team.run(static_cast<int>(entries.size()), piece, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+      const bool empty = static_cast<std::size_t>(i) < count && particles.id[i] < 0;
+      entries[i] = {empty ? -1 : cells.cell(r[record::x], r[record::y]), r[record::z], static_cast<std::uint32_t>(i)};
+    }
+  });
+  Sorted s;
+  sort_entries(entries, s.cell_first, cells.count(), team);
+  const std::size_t room = entries.size() + whole_vector;
+  s.number.resize(room), s.quarter_inverse_h.resize(room), s.reach.resize(room);
+  for (auto& a : s.at) a.resize(room);
+  team.run(static_cast<int>(entries.size()), piece, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      const std::uint32_t i = entries[k].index;
+      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+      s.number[k] = i, s.reach[k] = n.reach[i], s.quarter_inverse_h[k] = r[record::quarter_inverse_h];
+      for (int a = 0; a < 3; ++a) s.at[a][k] = r[record::x + a];
+    }
+  });
+  return s;
+}
+
+Box box_of(const Neighbours& n, const Particles& particles, int cluster) {
+  Box box{{far_away, far_away, far_away}, {-far_away, -far_away, -far_away}, far_away, 0.0f, 0.0f};
+  for (int i = cluster * lanes; i < (cluster + 1) * lanes; ++i) {
+    if (particles.id[i] < 0) continue;
+    const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+    for (int a = 0; a < 3; ++a)
+      box.low[a] = std::min(box.low[a], r[record::x + a]), box.high[a] = std::max(box.high[a], r[record::x + a]);
+    box.quarter_inverse_h = std::min(box.quarter_inverse_h, r[record::quarter_inverse_h]);
+    box.reach = std::max(box.reach, n.reach[i]);
+  }
+  return box;
+}
+
+/// Appends the neighbours of the box to `out`.
+void find_neighbours(const Box& box, float around, const Cells& cells, const Sorted& s,
+                     std::vector<std::uint32_t>& out) {
+  const auto& kernels = pair_kernels();
+  const Candidates candidates = s.view();
+  const int x0 = cells.column(box.low[0] - around), x1 = cells.column(box.high[0] + around);
+  const int y0 = cells.row(box.low[1] - around), y1 = cells.row(box.high[1] + around);
+  for (int ix = x0; ix <= x1; ++ix)
+    for (int iy = y0; iy <= y1; ++iy) {
+      const std::uint32_t cell = ix * cells.ny + iy;
+      const auto begin = s.at[2].begin() + s.cell_first[cell], end = s.at[2].begin() + s.cell_first[cell + 1];
+      const auto first = std::lower_bound(begin, end, box.low[2] - around),
+                 last = std::upper_bound(first, end, box.high[2] + around);
+      const std::size_t before = out.size(), most = static_cast<std::size_t>(last - first);
+      if (most == 0) continue;
+      out.resize(before + most + whole_vector);
+      out.resize(before + kernels.filter(candidates, box, static_cast<int>(first - s.at[2].begin()),
+                                         static_cast<int>(last - s.at[2].begin()), &out[before]));
+    }
+}
+
+/// How far each particle may travel before the list is renewed: some steps at its present speed and a little more.
+void set_reach(Neighbours& n, const Particles& particles, Team& team) {
+  const std::size_t count = particles.size();
+  const float spacing = static_cast<float>(n.grid.spacing), dt = static_cast<float>(n.grid.dt);
+  n.reach.resize(count), n.built_at.resize(3 * count);
+  team.run(static_cast<int>(count), piece, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+      const float speed =
+          std::sqrt(r[record::vx] * r[record::vx] + r[record::vy] * r[record::vy] + r[record::vz] * r[record::vz]);
+      n.reach[i] = particles.hold[i] == hold_all ? 0.0f : std::min(0.02f * spacing + 9.0f * dt * speed, 0.6f * spacing);
+      for (int a = 0; a < 3; ++a) n.built_at[3 * i + a] = r[record::x + a];
+    }
+  });
 }
 
 }  // namespace
 
-void sort_particles(Particles& particles, const NeighbourGrid& grid, double rear) {
+int sort_particles(Particles& particles, const NeighbourGrid& grid, double rear, Team& team) {
   const Cells cells(grid);
-  std::vector<Entry> entries;
-  entries.reserve(particles.size());
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.id[i] < 0 || particles.x[i] < rear) continue;
-    entries.push_back({cells.cell(static_cast<float>(particles.x[i] - grid.origin[0]),
-                                  static_cast<float>(particles.y[i] - grid.origin[1])),
-                       static_cast<float>(particles.z[i] - grid.origin[2]), static_cast<std::uint32_t>(i)});
-  }
+  std::vector<Entry> entries(particles.size());
+  team.run(static_cast<int>(entries.size()), piece, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const bool gone = particles.id[i] < 0 || particles.x[i] < rear;
+      entries[i] = {gone ? -1
+                         : cells.cell(static_cast<float>(particles.x[i] - grid.origin[0]),
+                                      static_cast<float>(particles.y[i] - grid.origin[1])),
+                    static_cast<float>(particles.z[i] - grid.origin[2]), static_cast<std::uint32_t>(i)};
+    }
+  });
   std::vector<std::uint32_t> cell_first;
-  sort_entries(entries, cell_first, cells.count());
+  sort_entries(entries, cell_first, cells.count(), team);
 
   constexpr std::uint32_t empty = 0xffffffffu;
   std::vector<std::uint32_t> order;
@@ -73,91 +166,71 @@ void sort_particles(Particles& particles, const NeighbourGrid& grid, double rear
     for (std::uint32_t k = cell_first[c]; k < cell_first[c + 1]; ++k) order.push_back(entries[k].index);
     while (order.size() % lanes != 0) order.push_back(empty);
   }
+  while (order.size() % whole_vector != 0) order.push_back(empty);
+  const int count = static_cast<int>(order.size());
   for_each_field(particles, [&](auto& field) {
     using Value = typename std::decay_t<decltype(field)>::value_type;
     std::vector<Value> sorted(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = order[i] == empty ? Value{} : field[order[i]];
+    team.run(count, piece, [&](int first, int last) {
+      for (int i = first; i < last; ++i) sorted[i] = order[i] == empty ? Value{} : field[order[i]];
+    });
     field.swap(sorted);
   });
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  for (int i = 0; i < count; ++i) {
     if (order[i] != empty) continue;
     particles.id[i] = -1, particles.stretch[i] = 1.0f;
     particles.hold[i] = hold_all;
     particles.x[i] = particles.y[i] = particles.z[i] = far_away;
   }
+  return static_cast<int>(entries.size());
+}
+
+void add_records(Neighbours& n, std::size_t particles) {
+  n.records.resize((particles + n.images.size() + 1) * record::size);
+  float* nothing = &n.records[(particles + n.images.size()) * record::size];
+  std::fill(nothing, nothing + record::size, 0.0f);
+  // Beyond the support of everything, empty lanes included; no volume and no stress.
+  nothing[record::x] = nothing[record::y] = nothing[record::z] = -far_away;
+  nothing[record::quarter_inverse_h] = static_cast<float>(0.5 / n.grid.support);
 }
 
 void build_lists(Neighbours& n, const Particles& particles, Team& team) {
   const Cells cells(n.grid);
   const std::size_t count = particles.size();
   n.clusters = static_cast<int>(count / lanes);
-
-  // How far each particle may travel before the list is renewed: some steps at its present speed and a little more.
-  const float spacing = static_cast<float>(n.grid.spacing), dt = static_cast<float>(n.grid.dt);
-  n.reach.assign(count, 0.0f), n.built_at.resize(3 * count);
-  float longest = 0.0f;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float* r = &n.records[i * record::size];
-    const float speed =
-        std::sqrt(r[record::vx] * r[record::vx] + r[record::vy] * r[record::vy] + r[record::vz] * r[record::vz]);
-    n.reach[i] = std::min(0.03f * spacing + 9.0f * dt * speed, 0.6f * spacing);
-    if (particles.hold[i] == hold_all) n.reach[i] = 0.0f;
-    longest = std::max(longest, n.reach[i]);
-    for (int a = 0; a < 3; ++a) n.built_at[3 * i + a] = r[record::x + a];
-  }
-  const float range = static_cast<float>(n.grid.support) + 2.0f * longest;
-  n.images = make_images(n.records, particles.id, count, n.grid.planes, n.grid.origin, range);
-  n.records.resize((count + n.images.size()) * record::size);
-  refresh_motion(n.records, count, n.images);
-  refresh_stress(n.records, count, n.images);
+  set_reach(n, particles, team);
+  const float longest = *std::max_element(n.reach.begin(), n.reach.end());
+  const float support = static_cast<float>(n.grid.support);
+  n.images = make_images(n.records, particles.id, count, n.grid.planes, n.grid.origin, support + 2.0f * longest, team);
+  add_records(n, count);
+  refresh_motion(n.records, count, n.images, team);
+  refresh_stress(n.records, count, n.images, team);
   for (const auto& image : n.images) n.reach.push_back(n.reach[image.parent]);
 
-  std::vector<Entry> entries;
-  entries.reserve(count + n.images.size());
-  for (std::size_t i = 0; i < count + n.images.size(); ++i) {
-    if (i < count && particles.id[i] < 0) continue;
-    const float* r = &n.records[i * record::size];
-    entries.push_back({cells.cell(r[record::x], r[record::y]), r[record::z], static_cast<std::uint32_t>(i)});
-  }
-  std::vector<std::uint32_t> cell_first;
-  sort_entries(entries, cell_first, cells.count());
-
-  std::vector<std::vector<std::uint32_t>> lists(n.clusters);
-  const auto& kernels = pair_kernels();
-  team.run(n.clusters, 16, [&](int from, int to) {
-    std::vector<std::uint32_t> candidates, kept;
-    for (int c = from; c < to; ++c) {
-      float low[3] = {far_away, far_away, far_away}, high[3] = {-far_away, -far_away, -far_away}, reach = 0.0f;
-      for (int i = c * lanes; i < (c + 1) * lanes; ++i) {
-        if (particles.id[i] < 0) continue;
-        for (int a = 0; a < 3; ++a) {
-          low[a] = std::min(low[a], n.records[i * record::size + a]);
-          high[a] = std::max(high[a], n.records[i * record::size + a]);
-        }
-        reach = std::max(reach, n.reach[i]);
+  const Sorted sorted = sort_records(n, particles, cells, team);
+  constexpr int together = 32;  // clusters of one piece
+  const auto nothing = static_cast<std::uint32_t>(count + n.images.size());
+  std::vector<std::vector<std::uint32_t>> lists((n.clusters + together - 1) / together);
+  n.first.assign(n.clusters + 1, 0);
+  team.run(n.clusters, together, [&](int from, int to) {
+    for (int begin = from; begin < to; begin += together) {  // one thread alone is given all at once
+      auto& list = lists[begin / together];
+      list.reserve(together * 200);
+      for (int c = begin; c < std::min(begin + together, to); ++c) {
+        const std::size_t before = list.size();
+        Box box = box_of(n, particles, c);
+        box.support = 1.0001f * support;
+        if (box.high[0] >= box.low[0]) find_neighbours(box, box.support + box.reach + longest, cells, sorted, list);
+        if (list.size() % 2 == 1) list.push_back(nothing);
+        n.first[c + 1] = static_cast<std::uint32_t>(list.size() - before);
       }
-      const float around = 1.02f * static_cast<float>(n.grid.support) + reach + longest;
-      candidates.clear();
-      const int x0 = cells.column(low[0] - around), x1 = cells.column(high[0] + around);
-      const int y0 = cells.row(low[1] - around), y1 = cells.row(high[1] + around);
-      for (int ix = x0; ix <= x1; ++ix)
-        for (int iy = y0; iy <= y1; ++iy) {
-          const auto begin = entries.begin() + cell_first[ix * cells.ny + iy],
-                     end = entries.begin() + cell_first[ix * cells.ny + iy + 1];
-          auto e = std::lower_bound(begin, end, low[2] - around, [](const Entry& a, float z) { return a.z < z; });
-          for (; e != end && e->z <= high[2] + around; ++e) candidates.push_back(e->index);
-        }
-      kept.resize(candidates.size() + 1);
-      const int found = kernels.filter({n.records.data(), n.reach.data()}, c, candidates.data(),
-                                       static_cast<int>(candidates.size()), kept.data());
-      lists[c].assign(kept.begin(), kept.begin() + found);
     }
   });
-  n.first.resize(n.clusters + 1);
-  n.first[0] = 0;
-  for (int c = 0; c < n.clusters; ++c) n.first[c + 1] = n.first[c] + static_cast<std::uint32_t>(lists[c].size());
+  std::partial_sum(n.first.begin(), n.first.end(), n.first.begin());
   n.list.resize(n.first.back());
-  for (int c = 0; c < n.clusters; ++c) std::copy(lists[c].begin(), lists[c].end(), n.list.begin() + n.first[c]);
+  team.run(static_cast<int>(lists.size()), 1, [&](int from, int to) {
+    for (int k = from; k < to; ++k) std::copy(lists[k].begin(), lists[k].end(), n.list.begin() + n.first[k * together]);
+  });
   n.internal.assign(n.clusters, 0.0), n.viscous.assign(n.clusters, 0.0), n.damped.assign(n.clusters, 0.0);
 }
 

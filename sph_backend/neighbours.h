@@ -1,8 +1,8 @@
 /// Order of the particles and the neighbour list of every cluster.
 ///
 /// The plan view is cut into square cells of two spacings; the particles of a cell are sorted by height and cut into
-/// clusters of 16, so a cluster stays compact when the foam is crushed vertically. A list holds whatever may come
-/// within reach of any of the 16 before the next renewal: every particle may travel its own `reach`, chosen from its
+/// clusters of 8, so a cluster stays compact when the foam is crushed vertically. A list holds whatever may come within
+/// reach of the box around the 8 before the next renewal: every particle may travel its own `reach`, chosen from its
 /// speed, so the list is tight where the foam rests and generous under the wheel. A list is renewed when a particle
 /// outruns its reach.
 #pragma once
@@ -12,6 +12,7 @@
 
 #include "sph_backend/mirror.h"
 #include "sph_backend/particles.h"
+#include "sph_backend/team.h"
 
 namespace apc::sph {
 
@@ -27,17 +28,19 @@ struct NeighbourGrid {
 struct Neighbours {
   NeighbourGrid grid;
   int clusters = 0;
-  std::vector<float> records;  ///< particles (padded), then images
+  std::vector<float> records;  ///< particles (padded), then images, then one of nothing
   std::vector<Image> images;
-  std::vector<std::uint32_t> list, first;         ///< of each cluster
+  std::vector<std::uint32_t> list, first;         ///< of each cluster; an odd list is filled up with nothing
   std::vector<float> reach;                       ///< per record
   std::vector<float> built_at;                    ///< positions at renewal, 3 per particle
   std::vector<double> internal, viscous, damped;  ///< per cluster, of this step
 };
 
-/// Puts the particles into cluster order, dropping empty lanes and particles behind x = `rear`.
-void sort_particles(Particles&, const NeighbourGrid&, double rear);
+/// Puts the particles into cluster order, dropping empty lanes and particles behind x = `rear`; returns how many stay.
+int sort_particles(Particles&, const NeighbourGrid&, double rear, Team&);
 /// Images and lists for sorted particles whose records are filled in.
-void build_lists(Neighbours&, const Particles&, class Team&);
+void build_lists(Neighbours&, const Particles&, Team&);
+/// Room for the records of the images and of nothing behind those of `particles`.
+void add_records(Neighbours&, std::size_t particles);
 
 }  // namespace apc::sph

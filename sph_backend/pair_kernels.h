@@ -5,18 +5,20 @@
 /// The two are conjugate: Σ_i m a_i·v_i = −Σ_i V_i σ_i : L_i − viscous heat, whatever the particle arrangement.
 ///   viscosity  Π = (−α c̄ μ + β μ²)/ρ̄, μ = h v·r/(r² + 0.01 h²) when approaching, else 0   (Monaghan 1992)
 ///
-/// Neighbour data lie in records of 16 floats (one cache line) in the order of `Record`; mirror images follow the real
-/// particles. One cluster of 16 particles shares one neighbour list, each neighbour is broadcast to all lanes.
+/// Neighbour data lie in records of 16 floats (one cache line) in the order of `record`; mirror images follow the real
+/// particles, and one record of nothing ends them. One cluster of 8 particles shares one neighbour list of even length.
+/// A vector of 8 lanes or less meets one neighbour at a time; one of 16 lanes holds the cluster twice and meets two.
 #pragma once
 
 #include <cstdint>
 
 namespace apc::sph {
 
-inline constexpr int lanes = 16;  ///< particles per cluster
+inline constexpr int lanes = 8;          ///< particles per cluster
+inline constexpr int whole_vector = 16;  ///< the number of particles is a multiple of it
 
 namespace record {
-enum : int { x, y, z, inverse_h, vx, vy, vz, visc_a, sxx, syy, szz, sxy, sxz, syz, visc_b, volume, size };
+enum : int { x, y, z, quarter_inverse_h, vx, vy, vz, visc_a, sxx, syy, szz, sxy, sxz, syz, visc_b, volume, size };
 }
 
 /// Everything a kernel reads and writes; plain pointers so that the kernels can be compiled once per instruction set.
@@ -28,9 +30,9 @@ struct PairWork {
   float* stress[6];
   float* work;
   float* acceleration[3];
-  double* internal;  ///< per cluster: internal work of this step, J
-  double* viscous;   ///< per cluster: heat of the artificial viscosity in this step, J
-  double* damped;    ///< per cluster: work of the material damping, J
+  double* internal;  ///< internal work of this step, J: at the first cluster of each vector, else untouched
+  double* viscous;   ///< likewise: heat of the artificial viscosity in this step, J
+  double* damped;    ///< likewise: work of the material damping, J
 
   const float* yield;  ///< table of the load curve
   int yield_intervals;
@@ -40,10 +42,20 @@ struct PairWork {
   float damping;  ///< c ρ0 D L: damping stress per strain rate at zero strain
 };
 
-/// Positions of one cluster against one run of candidates: keeps the candidates within reach of any lane.
-struct FilterWork {
-  const float* records;
-  const float* reach;  ///< per record: how far it may still travel, m
+/// What may become a neighbour, one array per field; each may be read a whole vector beyond its end.
+struct Candidates {
+  const float* at[3];
+  const float* quarter_inverse_h;
+  const float* reach;           ///< how far it may still travel, m
+  const std::uint32_t* number;  ///< of its record
+};
+
+/// A cluster that looks for its neighbours.
+struct Box {
+  float low[3], high[3];
+  float quarter_inverse_h;  ///< smallest
+  float reach;              ///< largest
+  float support;            ///< largest 2h of any pair, m
 };
 
 struct PairKernels {
@@ -52,7 +64,9 @@ struct PairKernels {
   void (*accelerate)(const PairWork&, int first_cluster, int last_cluster);
   /// `rounds` dependent rounds of independent multiply-adds; returns the floating-point operations done.
   double (*multiply_add)(long rounds);
-  int (*filter)(const FilterWork&, int cluster, const std::uint32_t* candidates, int count, std::uint32_t* kept);
+  /// Numbers of the candidates [first, end) within reach of the box, in their order; returns how many. `kept` has room
+  /// for all of them and a whole vector.
+  int (*filter)(const Candidates&, const Box&, int first, int end, std::uint32_t* kept);
 };
 
 /// The kernels for the widest instruction set this processor has: AVX-512, AVX2 with FMA, or SSE4.

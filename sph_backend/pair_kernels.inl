@@ -1,185 +1,174 @@
 // Body of kernels_v2.cpp, kernels_v3.cpp and kernels_v4.cpp; APC_LANES is the vector width in floats. Only functions
-// with internal linkage here: a shared inline compiled for a wide instruction set must never be picked by the linker.
-#include <immintrin.h>
-
+// with internal linkage here, see vector.inl.
 #include "sph_backend/pair_kernels.h"
+#include "sph_backend/vector.inl"
 
 namespace apc::sph {
 namespace {
 
-constexpr int width = APC_LANES;
-typedef float Vec __attribute__((vector_size(4 * APC_LANES)));
+/// A vector wider than a cluster holds the cluster twice and meets two neighbours at once.
+constexpr int at_once = width > lanes ? width / lanes : 1;
 
-inline __attribute__((always_inline)) Vec splat(float a) { return a - Vec{}; }
-#if APC_LANES == 16
-constexpr __mmask16 all = 0xffff;  // the unmasked intrinsics warn about their undefined source in GCC 12
-inline __attribute__((always_inline)) Vec vmax(Vec a, Vec b) {
-  return (Vec)_mm512_maskz_max_ps(all, (__m512)a, (__m512)b);
-}
-inline __attribute__((always_inline)) Vec vmin(Vec a, Vec b) {
-  return (Vec)_mm512_maskz_min_ps(all, (__m512)a, (__m512)b);
-}
-inline __attribute__((always_inline)) Vec rsqrt0(Vec a) { return (Vec)_mm512_maskz_rsqrt14_ps(all, (__m512)a); }
-inline __attribute__((always_inline)) Vec rcp0(Vec a) { return (Vec)_mm512_maskz_rcp14_ps(all, (__m512)a); }
-inline __attribute__((always_inline)) Vec vsqrt(Vec a) { return (Vec)_mm512_maskz_sqrt_ps(all, (__m512)a); }
-#elif APC_LANES == 8
-inline __attribute__((always_inline)) Vec vmax(Vec a, Vec b) { return (Vec)_mm256_max_ps((__m256)a, (__m256)b); }
-inline __attribute__((always_inline)) Vec vmin(Vec a, Vec b) { return (Vec)_mm256_min_ps((__m256)a, (__m256)b); }
-inline __attribute__((always_inline)) Vec rsqrt0(Vec a) { return (Vec)_mm256_rsqrt_ps((__m256)a); }
-inline __attribute__((always_inline)) Vec rcp0(Vec a) { return (Vec)_mm256_rcp_ps((__m256)a); }
-inline __attribute__((always_inline)) Vec vsqrt(Vec a) { return (Vec)_mm256_sqrt_ps((__m256)a); }
-#else
-inline __attribute__((always_inline)) Vec vmax(Vec a, Vec b) { return (Vec)_mm_max_ps((__m128)a, (__m128)b); }
-inline __attribute__((always_inline)) Vec vmin(Vec a, Vec b) { return (Vec)_mm_min_ps((__m128)a, (__m128)b); }
-inline __attribute__((always_inline)) Vec rsqrt0(Vec a) { return (Vec)_mm_rsqrt_ps((__m128)a); }
-inline __attribute__((always_inline)) Vec rcp0(Vec a) { return (Vec)_mm_rcp_ps((__m128)a); }
-inline __attribute__((always_inline)) Vec vsqrt(Vec a) { return (Vec)_mm_sqrt_ps((__m128)a); }
-#endif
 // One Newton step on the hardware's estimate: as good as the division, at a third of its cost.
-inline __attribute__((always_inline)) Vec rsqrt(Vec a) {
+APC_INLINE Vec rsqrt(Vec a) {
   const Vec y = rsqrt0(a);
   return y * (1.5f - 0.5f * a * y * y);
 }
-inline __attribute__((always_inline)) Vec vabs(Vec a) { return vmax(a, -a); }
-inline __attribute__((always_inline)) Vec load(const float* p) {
+APC_INLINE Vec vabs(Vec a) { return vmax(a, -a); }
+APC_INLINE Vec column(const float* records, int first, int field) {
   Vec v;
-  __builtin_memcpy(&v, p, sizeof v);
+  for (int l = 0; l < width; ++l) v[l] = records[(first + l % lanes) * record::size + field];
   return v;
-}
-inline __attribute__((always_inline)) void store(float* p, Vec v) { __builtin_memcpy(p, &v, sizeof v); }
-inline __attribute__((always_inline)) Vec column(const float* records, int first, int field) {
-  Vec v;
-  for (int l = 0; l < width; ++l) v[l] = records[(first + l) * record::size + field];
-  return v;
-}
-#if APC_LANES == 16
-inline bool any_negative(Vec a) { return _mm512_movepi32_mask((__m512i)a) != 0; }
-#elif APC_LANES == 8
-inline bool any_negative(Vec a) { return _mm256_movemask_ps((__m256)a) != 0; }
-#else
-inline bool any_negative(Vec a) { return _mm_movemask_ps((__m128)a) != 0; }
-#endif
-inline double sum(Vec a) {
-  double total = 0.0;
-  for (int l = 0; l < width; ++l) total += a[l];
-  return total;
 }
 
-constexpr float grad = 2.08890857f;  // 105/(16 π)
-constexpr float tiny = 1e-16f;       // keeps r of a particle with itself finite; its terms vanish with the distance
+constexpr float grad = 32.0f * 2.08890857f;  // 105/(16 π), and 2⁵ because records carry 1/(4h)
 
 #include "sph_backend/foam_kernels.inl"
 
+/// Particles of one vector: what both pair sums ask of them.
+struct Here {
+  Vec x, y, z, quarter, vx, vy, vz;
+};
+
+APC_INLINE Here here(const float* records, int base) {
+  using namespace record;
+  return {column(records, base, x),  column(records, base, y),
+          column(records, base, z),  column(records, base, quarter_inverse_h),
+          column(records, base, vx), column(records, base, vy),
+          column(records, base, vz)};
+}
+
+/// Distance and −∇W/(grad · distance) = t³ u⁵, u = 1/(4 h_i) + 1/(4 h_j) = 1/(2h), t = max(1 − r u, 0).
+struct Pair {
+  Vec dx, dy, dz, r2, u, weight;
+};
+
+APC_INLINE Pair pair_of(const Here& p, const Near& q) {
+  Pair a;
+  a.dx = p.x - of<record::x>(q), a.dy = p.y - of<record::y>(q), a.dz = p.z - of<record::z>(q);
+  a.r2 = a.dx * a.dx + a.dy * a.dy + a.dz * a.dz;
+  a.u = p.quarter + of<record::quarter_inverse_h>(q);
+  const Vec t = vmax(1.0f - vsqrt(a.r2) * a.u, Vec{}) * a.u;
+  a.weight = (t * t) * (t * (a.u * a.u));
+  return a;
+}
+
+APC_INLINE Gradient gradient(const PairWork& w, int base, std::uint32_t first, std::uint32_t end) {
+  const Here p = here(w.records, base);
+  Gradient s{};
+  for (std::uint32_t k = first; k < end; k += at_once) {
+    const Near q = near<2>(w.records, w.neighbour + k);
+    const Pair a = pair_of(p, q);
+    const Vec ax = a.weight * (p.vx - of<record::vx>(q)), ay = a.weight * (p.vy - of<record::vy>(q)),
+              az = a.weight * (p.vz - of<record::vz>(q));
+    s.xx += ax * a.dx, s.xy += ax * a.dy, s.xz += ax * a.dz;
+    s.yx += ay * a.dx, s.yy += ay * a.dy, s.yz += ay * a.dz;
+    s.zx += az * a.dx, s.zy += az * a.dy, s.zz += az * a.dz;
+  }
+  return s;
+}
+
+struct Force {
+  Vec x, y, z, heat;
+};
+
+APC_INLINE Force force(const PairWork& w, int base, std::uint32_t first, std::uint32_t end) {
+  using namespace record;
+  const float* r = w.records;
+  const Here p = here(r, base);
+  const Vec pxx = column(r, base, sxx), pyy = column(r, base, syy), pzz = column(r, base, szz);
+  const Vec pxy = column(r, base, sxy), pxz = column(r, base, sxz), pyz = column(r, base, syz);
+  const Vec va = column(r, base, visc_a), vb = column(r, base, visc_b);
+  Force f{};
+  for (std::uint32_t k = first; k < end; k += at_once) {
+    const Near q = near<4>(r, w.neighbour + k);
+    const Pair a = pair_of(p, q);
+    const Vec vr = a.dx * (p.vx - of<vx>(q)) + a.dy * (p.vy - of<vy>(q)) + a.dz * (p.vz - of<vz>(q));
+    const Vec approach = vmin(vr, Vec{});
+    const Vec mu = approach * a.u * rcp0(a.r2 * (a.u * a.u) + 0.0025f);
+    const Vec pi = mu * ((vb + of<visc_b>(q)) * mu - (va + of<visc_a>(q)));
+    f.heat -= (a.weight * pi) * approach;
+    const Vec wx = a.weight * a.dx, wy = a.weight * a.dy, wz = a.weight * a.dz;
+    const Vec txx = (pxx + of<sxx>(q)) - pi, tyy = (pyy + of<syy>(q)) - pi, tzz = (pzz + of<szz>(q)) - pi;
+    const Vec txy = pxy + of<sxy>(q), txz = pxz + of<sxz>(q), tyz = pyz + of<syz>(q);
+    f.x -= txx * wx, f.x -= txy * wy, f.x -= txz * wz;
+    f.y -= txy * wx, f.y -= tyy * wy, f.y -= tyz * wz;
+    f.z -= txz * wx, f.z -= tyz * wy, f.z -= tzz * wz;
+  }
+  return f;
+}
+
+#if APC_LANES == 16
+APC_INLINE Gradient gradients(const PairWork& w, int c, int) {
+  const Gradient a = gradient(w, c * lanes, w.first[c], w.first[c + 1]),
+                 b = gradient(w, (c + 1) * lanes, w.first[c + 1], w.first[c + 2]);
+  return {join(a.xx, b.xx), join(a.xy, b.xy), join(a.xz, b.xz), join(a.yx, b.yx), join(a.yy, b.yy),
+          join(a.yz, b.yz), join(a.zx, b.zx), join(a.zy, b.zy), join(a.zz, b.zz)};
+}
+APC_INLINE Force forces(const PairWork& w, int c, int) {
+  const Force a = force(w, c * lanes, w.first[c], w.first[c + 1]),
+              b = force(w, (c + 1) * lanes, w.first[c + 1], w.first[c + 2]);
+  return {join(a.x, b.x), join(a.y, b.y), join(a.z, b.z), join(a.heat, b.heat)};
+}
+#else
+APC_INLINE Gradient gradients(const PairWork& w, int c, int base) {
+  return gradient(w, base, w.first[c], w.first[c + 1]);
+}
+APC_INLINE Force forces(const PairWork& w, int c, int base) { return force(w, base, w.first[c], w.first[c + 1]); }
+#endif
+
 void strain(const PairWork& w, int first_cluster, int last_cluster) {
-  for (int c = first_cluster; c < last_cluster; ++c) {
+  for (int c = first_cluster; c < last_cluster; c += at_once) {
     double internal = 0.0, damped = 0.0;
-    for (int base = c * lanes; base < (c + 1) * lanes; base += width) {
-      const float* rec = w.records;
-      const Vec x = column(rec, base, record::x), y = column(rec, base, record::y), z = column(rec, base, record::z);
-      const Vec half_g = 0.5f * column(rec, base, record::inverse_h);
-      const Vec vx = column(rec, base, record::vx), vy = column(rec, base, record::vy),
-                vz = column(rec, base, record::vz);
-      Gradient s{};
-      for (std::uint32_t k = w.first[c]; k < w.first[c + 1]; ++k) {
-        const float* q = rec + static_cast<std::size_t>(w.neighbour[k]) * record::size;
-        const Vec dx = x - q[record::x], dy = y - q[record::y], dz = z - q[record::z];
-        const Vec r2 = dx * dx + dy * dy + dz * dz + tiny;
-        const Vec r = r2 * rsqrt(r2);
-        const Vec g = half_g + 0.5f * q[record::inverse_h];
-        const Vec t = vmax(1.0f - 0.5f * r * g, Vec{});
-        const Vec g2 = g * g;
-        const Vec weight = t * t * t * (g2 * g2 * g);
-        const Vec ax = weight * (vx - q[record::vx]), ay = weight * (vy - q[record::vy]),
-                  az = weight * (vz - q[record::vz]);
-        s.xx += ax * dx, s.xy += ax * dy, s.xz += ax * dz;
-        s.yx += ay * dx, s.yy += ay * dy, s.yz += ay * dz;
-        s.zx += az * dx, s.zy += az * dy, s.zz += az * dz;
-      }
-      update_stress(w, base, s, internal, damped);
-    }
+    for (int base = c * lanes; base < (c + at_once) * lanes; base += width)
+      update_stress(w, base, gradients(w, c, base), internal, damped);
     w.internal[c] = internal, w.damped[c] = damped;
   }
 }
 
 void accelerate(const PairWork& w, int first_cluster, int last_cluster) {
-  for (int c = first_cluster; c < last_cluster; ++c) {
+  for (int c = first_cluster; c < last_cluster; c += at_once) {
     double viscous = 0.0;
-    for (int base = c * lanes; base < (c + 1) * lanes; base += width) {
-      const float* rec = w.records;
-      const Vec x = column(rec, base, record::x), y = column(rec, base, record::y), z = column(rec, base, record::z);
-      const Vec half_g = 0.5f * column(rec, base, record::inverse_h);
-      const Vec vx = column(rec, base, record::vx), vy = column(rec, base, record::vy),
-                vz = column(rec, base, record::vz);
-      const Vec sxx = column(rec, base, record::sxx), syy = column(rec, base, record::syy),
-                szz = column(rec, base, record::szz), sxy = column(rec, base, record::sxy),
-                sxz = column(rec, base, record::sxz), syz = column(rec, base, record::syz);
-      const Vec va = column(rec, base, record::visc_a), vb = column(rec, base, record::visc_b);
-      Vec fx{}, fy{}, fz{}, heat{};
-      for (std::uint32_t k = w.first[c]; k < w.first[c + 1]; ++k) {
-        const float* q = rec + static_cast<std::size_t>(w.neighbour[k]) * record::size;
-        const Vec dx = x - q[record::x], dy = y - q[record::y], dz = z - q[record::z];
-        const Vec r2 = dx * dx + dy * dy + dz * dz + tiny;
-        const Vec r = r2 * rsqrt(r2);
-        const Vec g = half_g + 0.5f * q[record::inverse_h];
-        const Vec q_r = r * g;
-        const Vec t = vmax(1.0f - 0.5f * q_r, Vec{});
-        const Vec g2 = g * g;
-        const Vec weight = t * t * t * (g2 * g2 * g);
-        const Vec vr = dx * (vx - q[record::vx]) + dy * (vy - q[record::vy]) + dz * (vz - q[record::vz]);
-        const Vec approach = vmin(vr, Vec{});
-        const Vec mu = approach * g * rcp0(q_r * q_r + 0.01f);
-        const Vec pi = mu * ((vb + q[record::visc_b]) * mu - (va + q[record::visc_a]));
-        const Vec push = weight * pi;
-        heat -= push * approach;
-        const Vec txx = sxx + q[record::sxx], tyy = syy + q[record::syy], tzz = szz + q[record::szz];
-        const Vec txy = sxy + q[record::sxy], txz = sxz + q[record::sxz], tyz = syz + q[record::syz];
-        fx += push * dx - weight * (txx * dx + txy * dy + txz * dz);
-        fy += push * dy - weight * (txy * dx + tyy * dy + tyz * dz);
-        fz += push * dz - weight * (txz * dx + tyz * dy + tzz * dz);
-      }
-      store(w.acceleration[0] + base, grad * fx);
-      store(w.acceleration[1] + base, grad * fy);
-      store(w.acceleration[2] + base, grad * fz);
-      viscous += sum((0.5f * grad * w.mass * w.dt) * heat);
+    for (int base = c * lanes; base < (c + at_once) * lanes; base += width) {
+      const Force f = forces(w, c, base);
+      store(w.acceleration[0] + base, grad * f.x);
+      store(w.acceleration[1] + base, grad * f.y);
+      store(w.acceleration[2] + base, grad * f.z);
+      viscous += sum((0.5f * grad * w.mass * w.dt) * f.heat);
     }
     w.viscous[c] = viscous;
   }
 }
 
 double multiply_add(long rounds) {
-  Vec chain[8];
-  for (int k = 0; k < 8; ++k) chain[k] = splat(1.0f + 0.1f * static_cast<float>(k));
+  Vec chain[10];
+  for (int k = 0; k < 10; ++k) chain[k] = splat(1.0f + 0.1f * static_cast<float>(k));
   const Vec factor = splat(0.999f), term = splat(0.001f);
   for (long r = 0; r < rounds; ++r) {
-#pragma GCC unroll 8
-    for (int k = 0; k < 8; ++k) chain[k] = chain[k] * factor + term;
+#pragma GCC unroll 10
+    for (int k = 0; k < 10; ++k) chain[k] = chain[k] * factor + term;
   }
   volatile float keep = 0.0f;
-  for (int k = 0; k < 8; ++k) keep = keep + chain[k][0];
-  return 2.0 * 8.0 * width * static_cast<double>(rounds);
+  for (int k = 0; k < 10; ++k) keep = keep + chain[k][0];
+  return 2.0 * 10.0 * width * static_cast<double>(rounds);
 }
 
-// Branch-free: the reach of a pair is its kernel support, a little more because h may grow, and what both may travel.
-int filter(const FilterWork& w, int cluster, const std::uint32_t* candidates, int count, std::uint32_t* kept) {
+// The box stands for its particles: they fill it to within a spacing, and the support is more than two.
+int filter(const Candidates& all_of_them, const Box& box, int first, int end, std::uint32_t* kept) {
+  const Candidates& q = all_of_them;
+  const Vec support = splat(box.support), none{};
   int n = 0;
-  Vec x[lanes / width], y[lanes / width], z[lanes / width], half_g[lanes / width], reach[lanes / width];
-  for (int s = 0; s < lanes / width; ++s) {
-    const int base = cluster * lanes + s * width;
-    x[s] = column(w.records, base, record::x), y[s] = column(w.records, base, record::y);
-    z[s] = column(w.records, base, record::z), half_g[s] = 0.5f * column(w.records, base, record::inverse_h);
-    reach[s] = load(w.reach + base);
-  }
-  for (int k = 0; k < count; ++k) {
-    const float* q = w.records + static_cast<std::size_t>(candidates[k]) * record::size;
-    const float travel = w.reach[candidates[k]];
-    Vec nearest = splat(1.0f);
-    for (int s = 0; s < lanes / width; ++s) {
-      const Vec dx = x[s] - q[record::x], dy = y[s] - q[record::y], dz = z[s] - q[record::z];
-      const Vec limit = 2.04f * rcp0(half_g[s] + 0.5f * q[record::inverse_h]) + reach[s] + travel;
-      nearest = vmin(nearest, dx * dx + dy * dy + dz * dz - limit * limit);
+  for (int k = first; k < end; k += width) {
+    Vec r2{};
+    for (int a = 0; a < 3; ++a) {
+      const Vec at = load(q.at[a] + k), outside = vmax(vmax(box.low[a] - at, at - box.high[a]), none);
+      r2 += outside * outside;
     }
-    kept[n] = candidates[k];
-    n += any_negative(nearest);
+    // Support of the pair and 2 % more because h may grow, but never beyond h0; and what both may travel.
+    const Vec pair = vmin(1.02f * rcp0(box.quarter_inverse_h + load(q.quarter_inverse_h + k)), support);
+    const Vec limit = pair + box.reach + load(q.reach + k);
+    const unsigned inside = end - k < width ? (1u << (end - k)) - 1u : ~0u;
+    n += keep(negative(r2 - limit * limit) & inside, q.number + k, kept + n);
   }
   return n;
 }

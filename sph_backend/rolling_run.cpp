@@ -29,7 +29,7 @@ Columns window_columns(const RollingCase& c, double axle_x) {
 
 RollingRun start_run(const RollingCase& setup, unsigned threads) {
   RollingRun run;
-  start_tire(run, setup);
+  start_tire(run, setup, threads);
   BedSpec bed;
   bed.foam = setup.foam;
   bed.spacing = setup.spacing, bed.depth = setup.bed_depth, bed.half_width = setup.bed_half_width;

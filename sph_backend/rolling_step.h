@@ -59,9 +59,10 @@ void step_tire_and_foam(Run& run) {
 
 /// Tire, path and contact of a case; the block of foam is the caller's.
 template <class Run>
-void start_tire(Run& run, const RollingCase& setup) {
+void start_tire(Run& run, const RollingCase& setup, unsigned threads = 1) {
   run.setup = setup;
-  run.tire = setup.rigid_roller ? make_roller(setup.tire, setup.bed_half_width) : make_tire(setup.tire);
+  run.tire =
+      setup.rigid_roller ? make_roller(setup.tire, setup.bed_half_width) : make_tire(setup.tire, {}, {}, threads);
   run.path = path_of(setup);
   if (setup.entry > 0.0) {  // it arrives turning
     run.tire.spin = run.path.first_spin;

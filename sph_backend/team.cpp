@@ -38,7 +38,18 @@ void Team::run(int count, int piece, const std::function<void(int, int)>& work) 
   busy_.store(static_cast<int>(workers_.size()), std::memory_order_relaxed);
   round_.fetch_add(1, std::memory_order_release);
   drain();
-  while (busy_.load(std::memory_order_acquire) > 0) std::this_thread::yield();
+  for (int spins = 0; busy_.load(std::memory_order_acquire) > 0; ++spins)
+    if (spins > 2000) std::this_thread::yield();
+}
+
+double Team::sum(int count, int piece, const std::function<double(int, int)>& work) {
+  parts_.assign((count + piece - 1) / piece, 0.0);
+  run(static_cast<int>(parts_.size()), 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k) parts_[k] = work(k * piece, std::min((k + 1) * piece, count));
+  });
+  double total = 0.0;
+  for (const double part : parts_) total += part;
+  return total;
 }
 
 }  // namespace apc::sph

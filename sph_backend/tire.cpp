@@ -7,7 +7,7 @@
 
 namespace apc::sph {
 
-Tire make_tire(const TireShape& shape, const TireGrid& grid, const TireAssumptions& assumed) {
+Tire make_tire(const TireShape& shape, const TireGrid& grid, const TireAssumptions& assumed, unsigned threads) {
   Tire tire;
   tire.shape = shape, tire.outline = section(shape), tire.grid = grid;
   const Section& s = tire.outline;
@@ -37,7 +37,7 @@ Tire make_tire(const TireShape& shape, const TireGrid& grid, const TireAssumptio
   const std::size_t nodes = static_cast<std::size_t>(grid.around) * (grid.across + 1);
   tire.u.assign(nodes, 0.0), tire.rate.assign(nodes, 0.0), tire.force.assign(nodes, 0.0);
   tire.wheel_inertia = 0.5 * assumed.inertia_factor * std::pow(shape.diameter, 4) * shape.width;
-  calibrate_foundation(tire);
+  calibrate_foundation(tire, threads);
   const double stiffness =
       std::max(tire.foundation(shape.rated_deflection), 0.05 * shape.inflation) / shape.rated_deflection;
   tire.damping = 2.0 * assumed.damping_ratio * std::sqrt(stiffness / areal);

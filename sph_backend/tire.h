@@ -50,7 +50,8 @@ struct TireAssumptions {
   double damping_ratio = 0.3;          ///< of the foundation mode
 };
 
-Tire make_tire(const TireShape&, const TireGrid& = {}, const TireAssumptions& = {});
+/// `threads` share the calibration of its foundation; the tire does not depend on them.
+Tire make_tire(const TireShape&, const TireGrid& = {}, const TireAssumptions& = {}, unsigned threads = 1);
 
 /// A rigid cylinder without ends, of the shape's diameter, for plane-strain studies.
 Tire make_roller(const TireShape&, double half_width);
@@ -74,6 +75,6 @@ GasState gas_state(const Tire&);
 double press_on_plane(Tire&, double deflection, double phase = 0.0);
 
 /// q(u) such that press_on_plane passes through the catalogue's curve; called by make_tire.
-void calibrate_foundation(Tire&);
+void calibrate_foundation(Tire&, unsigned threads = 1);
 
 }  // namespace apc::sph

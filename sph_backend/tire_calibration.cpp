@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "apc/base/parallel.h"
 #include "apc/base/require.h"
 #include "sph_backend/tire.h"
 
@@ -64,7 +65,7 @@ double press_on_plane(Tire& tire, double deflection, double phase) {
   return 2.0 * load;
 }
 
-void calibrate_foundation(Tire& tire) {
+void calibrate_foundation(Tire& tire, unsigned threads) {
   // Inverting F(δ) for q(u) knot by knot is an Abel-type problem: exact and ragged. A smooth q is wanted that meets the
   // rated and the bottoming point: least squares over deflections with those two weighted, and a small price on kinks.
   // Below 0.08 of the bottoming deflection the catalogue says nothing and the patch is smaller than the grid.
@@ -77,14 +78,14 @@ void calibrate_foundation(Tire& tire) {
   for (const double k : knots) x.push_back(k * end);
   Eigen::VectorXd q = Eigen::VectorXd::Constant(unknowns, 0.2);  // in inflation pressures
 
-  const auto misfit = [&](const Eigen::VectorXd& values) {
+  const auto misfit = [&](Tire& trial, const Eigen::VectorXd& values) {
     std::vector<double> y{0.0};
     for (int k = 0; k < unknowns; ++k) y.push_back(values[k] * p);
-    tire.foundation = LinearCurve(x, y);
+    trial.foundation = LinearCurve(x, y);
     Eigen::VectorXd r(points + unknowns - 1);
-    std::fill(tire.u.begin(), tire.u.end(), 0.0);
+    std::fill(trial.u.begin(), trial.u.end(), 0.0);
     for (int m = 0; m < points; ++m) {
-      const double u = places[m] * end, load = 0.5 * (press_on_plane(tire, u, 0.0) + press_on_plane(tire, u, 0.5));
+      const double u = places[m] * end, load = 0.5 * (press_on_plane(trial, u, 0.0) + press_on_plane(trial, u, 0.5));
       const bool catalogue_point = places[m] == rated || places[m] == 1.0;
       r[m] = (load / catalogue_load(tire.shape, u) - 1.0) * (catalogue_point ? 100.0 : 1.0);
     }
@@ -96,18 +97,21 @@ void calibrate_foundation(Tire& tire) {
     return r;
   };
   for (int iteration = 0; iteration < 8; ++iteration) {
-    const Eigen::VectorXd r = misfit(q);
-    Eigen::MatrixXd jacobian(r.size(), unknowns);
-    for (int k = 0; k < unknowns; ++k) {
+    // Column 0: the misfit itself; column 1 + k: with knot k moved.
+    Eigen::MatrixXd columns(points + unknowns - 1, 1 + unknowns);
+    parallel_for(static_cast<std::size_t>(1 + unknowns), threads, [&](std::size_t k) {
+      Tire trial = tire;
       Eigen::VectorXd moved = q;
-      moved[k] += 0.01;
-      jacobian.col(k) = (misfit(moved) - r) / 0.01;
-    }
+      if (k > 0) moved[static_cast<Eigen::Index>(k) - 1] += 0.01;
+      columns.col(static_cast<Eigen::Index>(k)) = misfit(trial, moved);
+    });
+    const Eigen::VectorXd r = columns.col(0);
+    const Eigen::MatrixXd jacobian = (columns.rightCols(unknowns).colwise() - r) / 0.01;
     const Eigen::VectorXd step = jacobian.colPivHouseholderQr().solve(-r);
     q += step;
     if (step.cwiseAbs().maxCoeff() < 1e-5) break;
   }
-  const Eigen::VectorXd left = misfit(q);
+  const Eigen::VectorXd left = misfit(tire, q);
   for (int m = 0; m < points; ++m) {
     const double wanted = places[m] == rated || places[m] == 1.0 ? 0.5 : 0.10;  // weighted: 0.5 % at the two points
     require(std::abs(left[m]) < wanted, "tire ", tire.shape.name,

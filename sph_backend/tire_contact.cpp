@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sph_backend/team.h"
+
 namespace apc::sph {
 namespace {
 
@@ -33,16 +35,12 @@ Deflection deflection_at(const Tire& tire, double phi, double y) {
   return d;
 }
 
-}  // namespace
-
-void find_contact(const ContactPoints& p, Tire& tire, const AxleState& axle, const ContactLaw& law,
-                  ContactResult& result) {
+/// Appends to `touches` what the points [first, last) do in contact.
+void touch(const ContactPoints& p, const Tire& tire, const AxleState& axle, const ContactLaw& law, std::size_t first,
+           std::size_t last, std::vector<Touch>& touches) {
   const double outer = 0.5 * tire.shape.diameter + p.reach, side = tire.outline.lateral + p.reach;
   const double k = p.stiffness, c = 2.0 * law.damping_ratio * std::sqrt(k * p.mass);
-  result.force_x = result.force_z = result.torque = 0.0;
-  result.touches.clear();
-  std::fill(tire.force.begin(), tire.force.end(), 0.0);
-  for (std::size_t n = 0; n < p.count; ++n) {
+  for (std::size_t n = first; n < last; ++n) {
     const std::size_t i = p.which != nullptr ? p.which[n] : n;
     const double dx = p.x[i] - axle.x, dz = p.z[i] - axle.z, r2 = dx * dx + dz * dz;
     if (r2 > outer * outer || p.y[i] > side || (p.id != nullptr && p.id[i] < 0)) continue;
@@ -90,12 +88,40 @@ void find_contact(const ContactPoints& p, Tire& tire, const AxleState& axle, con
       t.friction[a] = -drag * tangent[a];
       t.force[a] = normal * t.gradient[a] + t.friction[a];
     }
-    const double friction_radial = t.friction[0] * er_x + t.friction[2] * er_z;
-    for (int m = 0; m < 4; ++m) tire.force[d.nodes[m]] += d.weights[m] * (normal * s.normal_radial + friction_radial);
-    result.force_x -= t.force[0], result.force_z -= t.force[2];
-    result.torque += r * (t.force[0] * ea_x + t.force[2] * ea_z);
-    result.touches.push_back(t);
+    touches.push_back(t);
   }
+}
+
+/// What one touch does to the tire.
+void react(const Touch& t, Tire& tire, ContactResult& result) {
+  const double ea_x = -t.e_radial[1], ea_z = t.e_radial[0], normal = t.elastic + t.damping;
+  const double friction_radial = t.friction[0] * t.e_radial[0] + t.friction[2] * t.e_radial[1];
+  for (int m = 0; m < 4; ++m) tire.force[t.nodes[m]] += t.weights[m] * (normal * t.normal_radial + friction_radial);
+  result.force_x -= t.force[0], result.force_z -= t.force[2];
+  result.torque += t.radius * (t.force[0] * ea_x + t.force[2] * ea_z);
+}
+
+}  // namespace
+
+void find_contact(const ContactPoints& p, Tire& tire, const AxleState& axle, const ContactLaw& law,
+                  ContactResult& result) {
+  result.force_x = result.force_z = result.torque = 0.0;
+  result.touches.clear();
+  std::fill(tire.force.begin(), tire.force.end(), 0.0);
+  if (p.team == nullptr) {
+    touch(p, tire, axle, law, 0, p.count, result.touches);
+  } else {
+    constexpr std::size_t piece = 256;
+    result.parts.resize((p.count + piece - 1) / piece);
+    p.team->run(static_cast<int>(result.parts.size()), 4, [&](int first, int last) {
+      for (int k = first; k < last; ++k) {
+        result.parts[k].clear();
+        touch(p, tire, axle, law, k * piece, std::min((k + 1) * piece, p.count), result.parts[k]);
+      }
+    });
+    for (const auto& part : result.parts) result.touches.insert(result.touches.end(), part.begin(), part.end());
+  }
+  for (const Touch& t : result.touches) react(t, tire, result);
 }
 
 ContactWork book_contact(const ContactPoints& p, const AxleState& axle, const ContactResult& result,

@@ -46,6 +46,7 @@ struct ContactResult {
   double force_x = 0.0, force_z = 0.0;  ///< of the foam on the half tire, N
   double torque = 0.0;                  ///< about the axle, spinning up positive
   std::vector<Touch> touches;
+  std::vector<std::vector<Touch>> parts;  ///< of `touches`, as several threads found them
 };
 
 /// Finds the contacts and adds to tire.force; the caller puts the touches' forces on the foam.
