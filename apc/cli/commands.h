@@ -48,5 +48,6 @@ void add_describe(CLI::App&, Settings&);
 void add_list(CLI::App&, Settings&);
 void add_effects(CLI::App&, Settings&);
 void add_learning(CLI::App&, Settings&);  ///< compare, diagnose, add, verify, learn
+void add_next(CLI::App&, Settings&);
 
 }  // namespace apc::cli

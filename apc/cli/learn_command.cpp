@@ -74,7 +74,8 @@ std::string comparison(const learning::Case& data, const std::vector<effects::Ap
 
 void diagnose_case(const LearnWords& words, const Settings& settings) {
   const learning::Case data = load(words);
-  const learning::Study study = study_of(data, words, settings);
+  learning::Study study = study_of(data, words, settings);
+  plan_of(data, study, words, settings);
   say(settings, verdict_text(study));
   if (!settings.json.empty()) write_text(settings.json, learning::diagnosis_json(study));
   if (!words.out.empty()) {
@@ -85,11 +86,12 @@ void diagnose_case(const LearnWords& words, const Settings& settings) {
 
 void learn_case(const LearnWords& words, Settings& settings) {
   const learning::Case data = load(words);
-  const learning::Study study = study_of(data, words, settings);
+  learning::Study study = study_of(data, words, settings);
+  const auto plan = plan_of(data, study, words, settings);
   say(settings, verdict_text(study));
   const auto out = words.out.empty() ? std::filesystem::path("learned") : words.out;
   write_text(out / "diagnosis.json", learning::diagnosis_json(study));
-  write_text(out / "report.html", learning::learn_page(study));
+  write_text(out / "report.html", learning::learn_page(study, plan ? &*plan : nullptr));
   learning::write_predictions(study, out / "held");
   if (!study.diagnosis.augmented.empty())
     write_text(out / "model.json", learning::overlay_json(study, settings.command_line));

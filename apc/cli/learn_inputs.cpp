@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "apc/base/progress.h"
+#include "apc/base/units.h"
 #include "apc/effects/catalogue.h"
 #include "apc/effects/effect_json.h"
 
@@ -35,6 +37,26 @@ learning::Study study_of(const learning::Case& data, const LearnWords& words, co
   const auto progress = settings.quiet ? nullptr : std::make_shared<Progress>("diagnosing " + data.title);
   if (progress) options.report = [progress](double share, const std::string& what) { progress->show(share, what); };
   return learning::diagnose(data, options);
+}
+
+std::optional<learning::NextPlan> plan_of(const learning::Case& data, learning::Study& study, const LearnWords& words,
+                                          const Settings& settings) {
+  learning::Diagnosis& d = study.diagnosis;
+  if (d.verdict != learning::Verdict::ambiguous && d.verdict != learning::Verdict::found) return std::nullopt;
+  std::vector<effects::Applied> claims;
+  for (const auto& claim : d.claims) claims.push_back(claim.applied);
+  const auto known = known_effects(words);
+  const auto contenders = learning::contenders_of(d.set90, d.rivals, claims, known);
+  if (contenders.size() < 2) return std::nullopt;
+  const auto began = std::chrono::steady_clock::now();
+  learning::NextOptions options;
+  options.threads = words.threads, options.coarse = true;
+  const auto progress = settings.quiet ? nullptr : std::make_shared<Progress>("next run for " + data.title);
+  if (progress) options.report = [progress](double share, const std::string& what) { progress->show(share, what); };
+  learning::NextPlan plan = learning::plan_next(data, contenders, known, options);
+  d.next = plan.recommended();
+  d.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return plan;
 }
 
 std::string verdict_text(const learning::Study& study) {
@@ -73,6 +95,13 @@ std::string verdict_text(const learning::Study& study) {
     const auto& s = d.sensors[i];
     out += fmt::format("  {} {}: {:.4g} ± {:.2g} (SI)\n", s.run.empty() ? "all runs" : s.run, s.what, s.value,
                        s.deviation);
+  }
+  if (!d.next.empty()) {
+    const auto& next = d.next.front();
+    out += fmt::format("NEXT  {:.0f} kt, {:.0f} kg,", next.speed / units::kt, next.mass);
+    for (const learning::Quantity q : next.sensors) out += " " + learning::name_of(q);
+    out += fmt::format("{}: {:.1f} deviations between the two hardest to tell apart; see apc next\n",
+                       next.survey ? " and a rut survey" : "", next.separation);
   }
   for (const auto& remark : study.background.data->remarks)
     out += fmt::format("DATA  {} {}: {}\n", remark.run, remark.channel, remark.text);

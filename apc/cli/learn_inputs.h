@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apc/cli/commands.h"
 #include "apc/learning/diagnosis_json.h"
+#include "apc/learning/next_run.h"
 
 namespace apc::cli {
 
@@ -26,6 +28,9 @@ learning::Case load(const LearnWords&);
 std::vector<effects::Effect> known_effects(const LearnWords&);
 /// Diagnoses with a progress line on stderr.
 learning::Study study_of(const learning::Case&, const LearnWords&, const Settings&);
+
+/// Which run to do next, where more than one explanation stands; also written into the diagnosis.
+std::optional<learning::NextPlan> plan_of(const learning::Case&, learning::Study&, const LearnWords&, const Settings&);
 
 /// The verdict, its numbers, what cannot be told apart and what would have been seen, for people.
 std::string verdict_text(const learning::Study&);

@@ -85,6 +85,7 @@ int run(const std::vector<std::string>& words) {
   add_list(program, settings);
   add_effects(program, settings);
   add_learning(program, settings);
+  add_next(program, settings);
 
   try {
     refuse_unknown_words(program, words);

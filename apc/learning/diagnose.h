@@ -44,6 +44,7 @@ struct NextRun {
   double speed = 0.0, mass = 0.0;
   std::vector<Quantity> sensors;
   double separation = 0.0;
+  bool survey = false;  ///< of the ruts
 };
 
 struct Diagnosis {

@@ -115,6 +115,7 @@ std::string diagnosis_json(const Study& study) {
     file["next"].push_back({{"speed", short_number(n.speed / units::kt) + " kt"},
                             {"mass", short_number(n.mass) + " kg"},
                             {"sensors", sensors},
+                            {"survey", n.survey},
                             {"separation", std::stod(short_number(n.separation))}});
   }
   file["explanations"] = ordered_json::array();

@@ -6,6 +6,8 @@
 
 #include "apc/base/markup.h"
 #include "apc/learning/along_chart.h"
+#include "apc/learning/next_chart.h"
+#include "apc/learning/page_start.h"
 
 namespace apc::learning {
 namespace {
@@ -95,27 +97,12 @@ std::string strip(const Background& b) {
 
 }  // namespace
 
-std::string learn_page(const Study& study) {
+std::string learn_page(const Study& study, const NextPlan* next) {
   const Background& b = study.background;
   const Diagnosis& d = study.diagnosis;
-  const std::string title = escaped(b.data->title);
   std::string page =
-      "<!doctype html><html lang='en'><meta charset='utf-8'><meta name='viewport' "
-      "content='width=device-width'><title>" +
-      title +
-      "</title><style>:root{--bg:#fbfbf9;--ink:#18232d;--line:#d9dfe4;--mark:#566572;--model:#bd4f06;--bad:#a31621;"
-      "color-scheme:light}@media (prefers-color-scheme:dark){:root{--bg:#11171d;--ink:#e6ecf1;--line:#2e3b47;"
-      "--mark:#9fb0be;--model:#f59e62;--bad:#ff8078;color-scheme:dark}}@media print{:root{--bg:#fff;--ink:#111;"
-      "--line:#bbb;--mark:#444;--model:#bd4f06;--bad:#a31621;color-scheme:light}svg,tr{break-inside:avoid}}"
-      "body{font:16px/1.5 system-ui,sans-serif;max-width:760px;margin:2em auto;padding:0 1em;color:var(--ink);"
-      "background:var(--bg);-webkit-print-color-adjust:exact;print-color-adjust:exact}"
-      "svg{width:100%;font:12px system-ui}svg text{fill:var(--ink)}p,td{overflow-wrap:anywhere}"
-      ".bar{fill:var(--mark)}.dots circle{fill:var(--mark)}.model{fill:none;stroke:var(--model);stroke-width:1.6}"
-      ".wide{overflow-x:auto}table{border-collapse:collapse;min-width:34em}td,th{padding:2px 10px;text-align:left;"
-      "border-bottom:1px solid var(--line)}"
-      "</style><h1>" +
-      title +
-      "</h1><p style='color:var(--bad)'><strong>Experimental: the probabilities are not calibrated; quote none "
+      page_start(b.data->title) +
+      "<p style='color:var(--bad)'><strong>Experimental: the probabilities are not calibrated; quote none "
       "of them.</strong></p><p><strong>Verdict: " +
       text(d.verdict) + "</strong>";
   if (!d.learned.empty()) page += ": a force that follows \"" + escaped(d.learned) + "\", none of the catalogue";
@@ -139,6 +126,7 @@ std::string learn_page(const Study& study) {
   for (const Rival& r : d.rivals)
     page += "<p>" + escaped(r.a) + " | " + escaped(r.b) +
             format(": correlation %+.2f, %.1f deviations apart</p>", r.correlation, r.separability);
+  if (next) page += "<h2>Which run next</h2>" + next_section(*next);
   page += "<h2>Not missing above</h2><p>Smallest amplitude seen with 90 % power (SI):";
   for (const auto& [name, value] : d.smallest_detectable) page += " " + escaped(name) + format(" %.3g;", value);
   page +=

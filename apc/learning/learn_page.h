@@ -4,10 +4,11 @@
 
 #include <string>
 
-#include "apc/learning/diagnose.h"
+#include "apc/learning/next_run.h"
 
 namespace apc::learning {
 
-std::string learn_page(const Study&);
+/// `next`: the plan of the next run, where there is one.
+std::string learn_page(const Study&, const NextPlan* next = nullptr);
 
 }  // namespace apc::learning
