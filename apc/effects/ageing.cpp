@@ -21,7 +21,7 @@ Effect ageing() {
   e.source = "punch tests before and after service (CRREL); range estimated";
   e.touches = "run to run by date";
   e.confused_with = "temperature, bed strength";
-  e.parameters = {{"a", "1/year", dimension::none, -0.02, 0.05, 0.02, 0.0}};
+  e.parameters = {{"a", "", dimension::none, -0.02, 0.05, 0.02, 0.0}};
   e.bed = act;
   return e;
 }

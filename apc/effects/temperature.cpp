@@ -21,7 +21,7 @@ Effect temperature() {
   e.source = "polymer-bonded foams; range estimated";
   e.touches = "run to run by temperature";
   e.confused_with = "ageing, bed strength";
-  e.parameters = {{"k", "1/K", dimension::none, -0.008, 0.008, 0.003, 0.0}};
+  e.parameters = {{"k", "", dimension::none, -0.008, 0.008, 0.003, 0.0}};
   e.bed = act;
   return e;
 }

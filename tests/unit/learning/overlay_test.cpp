@@ -1,0 +1,39 @@
+// What a diagnosis writes about an effect is what the next command reads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "apc/base/file.h"
+#include "apc/effects/catalogue.h"
+#include "apc/learning/diagnosis_json.h"
+
+namespace apc::learning {
+namespace {
+
+TEST(Overlay, EveryEffectOfTheCatalogueIsReadBackAsItWasWritten) {
+  Case data;
+  data.title = "made for a test";
+  Study study;
+  study.background.data = &data;
+  study.background.training = 1;
+  study.background.runs.resize(1);
+  study.background.runs[0].overrun.entry_speed = 30.0, study.background.runs[0].overrun.mass = 60000.0;
+  for (const auto& effect : effects::catalogue())
+    study.diagnosis.augmented.push_back(effects::applied(effect, effect.parameters.front().usual));
+  const auto path = std::filesystem::path(testing::TempDir()) / "apc_overlay_test.json";
+  write_text(path, overlay_json(study, "apc learn"));
+  const auto read = load_overlay(path, effects::catalogue());
+  std::filesystem::remove(path);
+  ASSERT_EQ(read.size(), study.diagnosis.augmented.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const auto& wanted = study.diagnosis.augmented[i];
+    EXPECT_EQ(read[i].effect.id, wanted.effect.id);
+    for (std::size_t k = 0; k < wanted.values.size(); ++k)
+      EXPECT_NEAR(read[i].values[k], wanted.values[k], 1e-4 * std::abs(wanted.values[k]))
+          << wanted.effect.id << "." << wanted.effect.parameters[k].name;
+  }
+}
+
+}  // namespace
+}  // namespace apc::learning
