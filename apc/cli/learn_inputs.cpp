@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "apc/base/progress.h"
+#include "apc/base/require.h"
 #include "apc/base/units.h"
 #include "apc/effects/catalogue.h"
 #include "apc/effects/effect_json.h"
@@ -53,8 +54,13 @@ std::optional<learning::NextPlan> plan_of(const learning::Case& data, learning::
   options.threads = words.threads, options.coarse = true;
   const auto progress = settings.quiet ? nullptr : std::make_shared<Progress>("next run for " + data.title);
   if (progress) options.report = [progress](double share, const std::string& what) { progress->show(share, what); };
-  learning::NextPlan plan = learning::plan_next(data, contenders, known, options);
-  d.next = plan.recommended();
+  std::optional<learning::NextPlan> plan;
+  try {
+    plan = learning::plan_next(data, contenders, known, options);
+    d.next = plan->recommended();
+  } catch (const SolveError&) {
+    // A diagnosis stands without a recommendation; `apc next` says what went wrong.
+  }
   d.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return plan;
 }

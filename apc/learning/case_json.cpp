@@ -79,7 +79,9 @@ Case load_case(const std::filesystem::path& folder_or_file, const std::optional<
   read_runs("held_out", data.held_out);
   check_runs(data);
   require(!data.runs.empty(), path.string(), ": no usable run is left. ",
-          failures.empty() ? std::string("See the remarks.") : failures.front());
+          !failures.empty()      ? failures.front()
+          : data.remarks.empty() ? std::string("Name at least one under \"runs\".")
+                                 : data.remarks.back().run + " " + data.remarks.back().text + ".");
   return data;
 }
 

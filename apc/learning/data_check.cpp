@@ -220,7 +220,9 @@ void check_runs(Case& data) {
     check_acceleration(run, data.remarks);
     check_stop(run, data.remarks);
     std::erase_if(run.channels, [](const Channel& c) { return c.time.size() < 5; });
-    if (run.channels.empty()) data.remarks.push_back({run.id, "", "no usable channel", Action::run_set_aside});
+    // Where a run ended is a measurement, too.
+    if (run.channels.empty() && !run.stop && !run.exit_speed && !run.survey)
+      data.remarks.push_back({run.id, "", "holds no usable channel, stop, exit or survey", Action::run_set_aside});
   }
   for (std::size_t i = 0; i < data.runs.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
