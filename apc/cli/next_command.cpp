@@ -15,8 +15,27 @@ namespace apc::cli {
 namespace {
 
 struct NextWords {
-  std::string speeds, masses;
+  std::string speeds, masses, rivals;
 };
+
+/// "inertial,seams+debris,nothing" as sets of ids.
+std::vector<std::vector<std::string>> rivals_of(const std::string& text) {
+  std::vector<std::vector<std::string>> sets(1);
+  std::string word;
+  for (const char c : text + ",") {
+    if (c != ',' && c != '+') {
+      word += c;
+      continue;
+    }
+    require(!word.empty(), "--rivals: \"", text,
+            "\" has an empty part. Write effects apart by commas, joined by +: \"inertial,seams+debris,nothing\"");
+    if (word != "nothing") sets.back().push_back(word);
+    word.clear();
+    if (c == ',') sets.emplace_back();
+  }
+  sets.pop_back();
+  return sets;
+}
 
 /// "20:60:10 kt" or "30 kt": values from first to last; InputError names the option.
 std::vector<double> range_of(const std::string& option, const std::string& text, const Dimension& wanted) {
@@ -67,6 +86,10 @@ std::string report_text(const learning::NextPlan& plan, report::UnitSystem units
                          comma_list(plan.sets[plan.best_set[i]].names())});
   }
   out += aligned(best);
+  for (std::size_t p = 0; p < plan.hopeless.size(); ++p)
+    if (plan.hopeless[p])
+      out += fmt::format("No run of this grid separates {} from {}.\n", plan.contenders[plan.pairs[p][0]].name(),
+                         plan.contenders[plan.pairs[p][1]].name());
   const auto& first = plan.candidates[plan.best.front()];
   if (!plan.sharpens && first.separation.back() < 2.0)
     out += "No run of the grid separates them for certain (2 sigma): repeat the best one, or add instruments.\n";
@@ -101,7 +124,10 @@ void next_run(const LearnWords& words, const NextWords& grid, const Settings& se
   if (!grid.speeds.empty()) options.speeds = range_of("--speeds", grid.speeds, dimension::speed);
   if (!grid.masses.empty()) options.masses = range_of("--masses", grid.masses, dimension::mass);
   const auto known = known_effects(words);
-  const auto contenders = learning::contenders_of_file(words.from, known);
+  require(grid.rivals.empty() != words.from.empty(),
+          "apc next needs either --from diagnosis.json or --rivals, such as --rivals inertial,softening");
+  const auto contenders = grid.rivals.empty() ? learning::contenders_of_file(words.from, known)
+                                              : learning::contenders_of(rivals_of(grid.rivals), {}, {}, known);
   const learning::Case data = load(words);
   const auto progress = settings.quiet ? nullptr : std::make_shared<Progress>("next run for " + data.title);
   if (progress) options.report = [progress](double share, const std::string& what) { progress->show(share, what); };
@@ -121,7 +147,9 @@ void add_next(CLI::App& program, Settings& settings) {
   const auto words = std::make_shared<LearnWords>();
   const auto grid = std::make_shared<NextWords>();
   add_case_options(*next, words);
-  next->add_option("--from", words->from, "diagnosis.json")->required();
+  next->add_option("--from", words->from, "diagnosis.json; what it leaves standing is to be separated");
+  next->add_option("--rivals", grid->rivals,
+                   "explanations of your own choice instead: effects apart by commas, joined by +, or nothing");
   next->add_option("--speeds", grid->speeds, "\"20:60:10 kt\"; every 5 kt inside the tables when left out");
   next->add_option("--masses", grid->masses, "\"16:21:1 t\"; five masses in service when left out");
   next->add_option("-o,--out", words->out, "page with the map, such as next.html");

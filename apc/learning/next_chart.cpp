@@ -86,6 +86,11 @@ std::string next_section(const NextPlan& plan) {
                 "<p>What stands: {}. Numbers: expected separation, in standard deviations, of the two that are "
                 "hardest to tell apart; all instruments on board.</p>",
                 names);
+  for (std::size_t p = 0; p < plan.hopeless.size(); ++p)
+    if (plan.hopeless[p])
+      html += fmt::format("<p>No run of this grid separates {} from {}.</p>",
+                          escaped(plan.contenders[plan.pairs[p][0]].name()),
+                          escaped(plan.contenders[plan.pairs[p][1]].name()));
   html += next_map(plan, plan.sets.size() - 1);
   html +=
       "<p>Framed: the recommended run. *: by at least one explanation it leaves the bed. Empty: not "

@@ -68,6 +68,11 @@ std::string next_json(const NextPlan& plan) {
     if (!plan.sharpens) one["hardest"] = {plan.contenders[c.a].name(), plan.contenders[c.b].name()};
     file["next"].push_back(one);
   }
+  file["inseparable"] = ordered_json::array();
+  for (std::size_t p = 0; p < plan.hopeless.size(); ++p)
+    if (plan.hopeless[p])
+      file["inseparable"].push_back(
+          {plan.contenders[plan.pairs[p][0]].name(), plan.contenders[plan.pairs[p][1]].name()});
   for (const CandidateRun& c : plan.candidates) file["runs"].push_back(candidate_json(plan, c));
   return file.dump(1) + "\n";
 }

@@ -82,7 +82,8 @@ void borrow(const Numbers& neighbour, Numbers& n) {
 
 /// `neighbour`: another candidate at this speed, or empty; becomes this one's numbers.
 void weigh_candidate(const Case& data, const Field& known, const std::vector<Fitted>& fits,
-                     const std::vector<Unseen>& unseen, const std::vector<SensorSet>& sets, Numbers& neighbour,
+                     const std::vector<Unseen>& unseen, const std::vector<SensorSet>& sets,
+                     const std::vector<std::array<std::size_t, 2>>& pairs, Numbers& neighbour,
                      CandidateRun& candidate) {
   const Field f = field_with(data, candidate_run(data, candidate.speed, candidate.mass));
   const std::size_t r = data.runs.size();
@@ -142,15 +143,17 @@ void weigh_candidate(const Case& data, const Field& known, const std::vector<Fit
       candidate.separation.push_back(median(sizes));
       continue;
     }
-    double least = 1e300;
-    for (std::size_t j = 0; j < fits.size(); ++j)
-      for (std::size_t k = 0; k < j; ++k) {
-        const Eigen::VectorXd apart = (value[j] - value[k])(rows);
-        const Eigen::MatrixXd V = 0.5 * (predictive[j] + predictive[k])(rows, rows);
-        const double separation = std::sqrt(std::max(0.0, apart.dot(V.ldlt().solve(apart))));
-        if (separation < least) least = separation, candidate.a = k, candidate.b = j;
-      }
-    candidate.separation.push_back(least);
+    std::vector<double>& apart = candidate.pairs.emplace_back();
+    std::vector<Eigen::LDLT<Eigen::MatrixXd>> factor;
+    for (const auto& V : predictive) factor.emplace_back(Eigen::MatrixXd(V(rows, rows)));
+    for (const auto& [j, k] : pairs) {
+      const Eigen::VectorXd d = (value[j] - value[k])(rows);
+      const Eigen::MatrixXd Vj = predictive[j](rows, rows), Vk = predictive[k](rows, rows);
+      const double means = 0.5 * (d.dot(factor[j].solve(d)) + d.dot(factor[k].solve(d))),
+                   spreads = 0.5 * (factor[j].solve(Vk).trace() + factor[k].solve(Vj).trace()) -
+                             static_cast<double>(d.size());
+      apart.push_back(std::sqrt(std::max(0.0, means + spreads)));
+    }
   }
   candidate.simulated = true;
 }
@@ -182,6 +185,26 @@ std::vector<double> masses_for(const Case& data, bool coarse) {
   const int n = coarse ? 3 : 5;
   for (int i = 0; i < n; ++i) list.push_back(low + (high - low) * i / (n - 1.0));
   return list;
+}
+
+/// Separation of every candidate: of the pair hardest to tell apart among those that some run of the grid separates at
+/// all. A pair that none does (two effects of the date, all runs on one day) would hide what the others tell.
+void separate(NextPlan& plan) {
+  plan.hopeless.assign(plan.pairs.size(), true);
+  for (const CandidateRun& c : plan.candidates)
+    if (c.simulated)
+      for (std::size_t p = 0; p < plan.pairs.size(); ++p)
+        if (c.pairs.back()[p] >= 1.0) plan.hopeless[p] = false;
+  const bool none = std::all_of(plan.hopeless.begin(), plan.hopeless.end(), [](bool h) { return h; });
+  for (CandidateRun& c : plan.candidates)
+    if (c.simulated)
+      for (const auto& pairs : c.pairs) {
+        double least = 1e300;
+        for (std::size_t p = 0; p < plan.pairs.size(); ++p)
+          if ((none || !plan.hopeless[p]) && pairs[p] < least)
+            least = pairs[p], c.a = plan.pairs[p][0], c.b = plan.pairs[p][1];
+        c.separation.push_back(least);
+      }
 }
 
 void choose(NextPlan& plan) {
@@ -300,6 +323,8 @@ NextPlan plan_next(const Case& data, const std::vector<std::vector<Applied>>& se
   for (const Unseen& u : unseen) sizes.push_back(usual_size(u.effect.effect) / u.deviation());
   plan.sharpness_now = median(sizes);
   for (const Fitted& f : fits) plan.contenders.push_back(f.contender);
+  for (std::size_t k = 1; k < fits.size(); ++k)
+    for (std::size_t j = 0; j < k; ++j) plan.pairs.push_back({j, k});
   for (const double speed : plan.speeds)
     for (const double mass : plan.masses)
       plan.candidates.emplace_back().speed = speed, plan.candidates.back().mass = mass;
@@ -311,7 +336,7 @@ NextPlan plan_next(const Case& data, const std::vector<std::vector<Applied>>& se
     for (std::size_t k = 0; k < n; ++k) {
       CandidateRun& candidate = plan.candidates[i * n + k];
       try {
-        weigh_candidate(data, known, fits, unseen, plan.sets, neighbour, candidate);
+        weigh_candidate(data, known, fits, unseen, plan.sets, plan.pairs, neighbour, candidate);
       } catch (const SolveError&) {
         candidate.simulated = false;  // a run that cannot be simulated is none to recommend
       }
@@ -322,6 +347,7 @@ NextPlan plan_next(const Case& data, const std::vector<std::vector<Applied>>& se
                        "trying runs");
     }
   });
+  if (!plan.sharpens) separate(plan);
   choose(plan);
   require(!plan.best.empty(), "no run of this grid can be simulated. Choose other speeds or masses.");
   return plan;

@@ -3,13 +3,15 @@
 ///
 /// Every explanation is first fitted to the runs at hand (its amplitudes with bed strength, table errors and
 /// aerodynamics, Gauss–Newton through free simulations, on the numbers of segments.h). A candidate run is then
-/// predicted by each; two of them are
-///     Δ² = (h_j − h_k)ᵀ ½(V_j + V_k)⁻¹ (h_j − h_k)
-/// apart, V the covariance of the prediction: instruments, blocks, what steady tables leave open, entry conditions, and
-/// what the runs at hand leave uncertain of bed, tables and amplitudes. Source: T-optimal designs (Atkinson and Fedorov
-/// 1975) with the uncertainty of the fits kept. Where a single explanation stands, a candidate is worth what it takes
-/// off the uncertainty of the effects that were not found.
+/// predicted by each, with mean h and covariance V; two of them are Δ apart,
+///     Δ² = ½ dᵀ(V_j⁻¹ + V_k⁻¹) d + ½ tr(V_j⁻¹V_k + V_k⁻¹V_j − 2),   d = h_j − h_k
+/// (the divergence of Box and Hill, Technometrics 9 (1967) 57; dᵀV⁻¹d where the covariances are alike). V holds
+/// instruments, blocks, what steady tables leave open, entry conditions, and what the runs at hand leave uncertain of
+/// bed, tables and amplitudes. Where a single explanation stands, a candidate is worth what it takes off the
+/// uncertainty of the effects that were not found.
 #pragma once
+
+#include <array>
 
 #include "apc/learning/diagnose.h"
 
@@ -40,17 +42,20 @@ struct Expectation {
 
 struct CandidateRun {
   double speed = 0.0, mass = 0.0;
-  bool simulated = false, stops = false;  ///< by every explanation
-  std::vector<double> separation;         ///< per sensor set, of the two explanations hardest to tell apart
-  std::vector<Expectation> expects;       ///< per contender
-  std::size_t a = 0, b = 0;               ///< the two, with all sensors
+  bool simulated = false, stops = false;   ///< by every explanation
+  std::vector<double> separation;          ///< per sensor set, of the two explanations hardest to tell apart
+  std::vector<std::vector<double>> pairs;  ///< per sensor set, of each pair of NextPlan::pairs
+  std::vector<Expectation> expects;        ///< per contender
+  std::size_t a = 0, b = 0;                ///< the two, with all sensors
 };
 
 struct NextPlan {
   std::vector<Contender> contenders;
   bool sharpens = false;  ///< a single explanation stands: `separation` is how many deviations an effect of usual size
                           ///< would stand out, in the median over the catalogue, with the run added
-  double sharpness_now = 0.0;  ///< the same without the run
+  double sharpness_now = 0.0;                     ///< the same without the run
+  std::vector<std::array<std::size_t, 2>> pairs;  ///< of contenders
+  std::vector<bool> hopeless;                     ///< pairs that no run of the grid separates by one deviation
   std::vector<double> speeds, masses;
   std::vector<SensorSet> sets;           ///< cheapest first
   std::vector<CandidateRun> candidates;  ///< speed by speed, masses within

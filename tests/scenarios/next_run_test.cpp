@@ -59,6 +59,15 @@ TEST(Next, WithNothingToSeparateItSharpensWhatCouldBeSeen) {
   EXPECT_GT(plan.at("next")[0].at("separation").get<double>(), plan.at("separation_now").get<double>());
 }
 
+TEST(Next, SeparatesRivalsOfTheUsersChoice) {
+  const Folder folder;
+  const auto said = run(folder, {"next", joints, "--rivals", "inertial,wall_tear+slope,nothing", "--threads", "1",
+                                 "--speeds", "50 kt", "--masses", "20 t"});
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  for (const char* part : {"inertial", "slope + wall_tear", "nothing missing"})
+    EXPECT_NE(said.out.find(part), std::string::npos) << part << "\n" << said.out;
+}
+
 TEST(Next, BadInputIsOneMessage) {
   const Folder folder;
   folder.write("d.json", two_stand);
@@ -72,6 +81,9 @@ TEST(Next, BadInputIsOneMessage) {
   expect_refused(folder, {"next", joints, "--from", "d.json", "--speeds", "30:20:5 kt"}, {"--speeds", "30:20:5 kt"});
   expect_refused(folder, {"next", joints, "--from", "d.json", "--speeds", "30 kg"}, {"--speeds"});
   expect_refused(folder, {"next", joints, "--from", "d.json", "--masses", "1:100000:1 kg"}, {"--masses", "40"});
+  expect_refused(folder, {"next", joints}, {"--from", "--rivals"});
+  expect_refused(folder, {"next", joints, "--rivals", "inertial,,slope"}, {"--rivals", "empty"});
+  expect_refused(folder, {"next", joints, "--rivals", "inertia"}, {"inertial"});
   expect_refused(folder, {"next", "nowhere", "--from", "d.json"}, {"nowhere"});
 }
 
