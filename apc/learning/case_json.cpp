@@ -56,8 +56,12 @@ Case load_case(const std::filesystem::path& folder_or_file, const std::optional<
   data.bed = bed::load_bed(data.folder / file.text("bed"));
   read_tables(file, data);
   if (file.has("scatter")) {
-    data.block_strength = file.object("scatter").number("block_strength", data.block_strength);
-    data.correlation = file.object("scatter").quantity("correlation", dimension::length, data.correlation);
+    const Json scatter = file.object("scatter");
+    data.block_strength = scatter.number("block_strength", data.block_strength);
+    data.correlation = scatter.quantity("correlation", dimension::length, data.correlation);
+    data.bed_strength = scatter.number("bed_strength", data.bed_strength);
+    scatter.check(data.bed_strength > 0.0 && data.bed_strength <= 1.0, "bed_strength",
+                  "is no standard deviation of a logarithm (above 0, up to 1). A certified bed has 0.04.");
   }
   std::optional<Aliases> aliases;
   if (alias_file) aliases = load_aliases(*alias_file);

@@ -12,7 +12,7 @@ namespace {
 constexpr double lag_deviation = 0.603;
 // The response to sinking is derived for a rigid wheel; a tire flattens.
 constexpr double sinking_deviation = 0.4, sinking_drag_deviation = 0.3;
-constexpr double bed_strength_deviation = 0.04, drag_deviation = 0.08, cg_height_deviation = 0.02;
+constexpr double drag_deviation = 0.08, cg_height_deviation = 0.02;
 
 /// Covariance of block strengths of all runs of one lane, in the order run by run: nose knots, main knots.
 Eigen::MatrixXd block_covariance(const Layout& layout, const std::vector<std::size_t>& members,
@@ -100,7 +100,7 @@ Eigen::VectorXd prior_mean(const Layout& layout, const std::vector<Run>& runs) {
 Eigen::VectorXd prior_deviation(const Layout& layout, const Case& data, const std::vector<Run>& runs,
                                 const Scatter& scatter) {
   Eigen::VectorXd deviation = Eigen::VectorXd::Ones(layout.size);
-  deviation[layout.bed_strength] = bed_strength_deviation;
+  deviation[layout.bed_strength] = data.bed_strength;
   deviation[layout.cg] = runs.empty() ? 0.02 : runs.front().uncertainty.cg;
   deviation[layout.drag] = drag_deviation;
   deviation[layout.cg_height] = cg_height_deviation;

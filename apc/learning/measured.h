@@ -85,6 +85,7 @@ struct Case {
   std::vector<double> drag_rms, vertical_rms;  ///< per table in `tables`, as quoted
   std::vector<Run> runs, held_out;
   double block_strength = 0.08, correlation = 2.4;  ///< quoted scatter: of the logarithm; m
+  double bed_strength = 0.04;  ///< deviation of the logarithm of the whole bed's strength from its data sheet
   std::vector<DataRemark> remarks;
 };
 
