@@ -273,4 +273,37 @@ BedState inspect(const Bed& bed) {
   return state;
 }
 
+StepCount count_step(const Bed& given) {
+  Bed bed = given;
+  drift(bed);
+  const PairWork work = pair_work(bed);
+  const Neighbours& n = bed.neighbours;
+  take_operations();
+  kernels_counted().strain(work, 0, n.clusters);
+  refresh_stress(bed.neighbours.records, bed.particles.size(), n.images, *bed.team);
+  kernels_counted().accelerate(work, 0, n.clusters);
+
+  StepCount count;
+  const double particles = std::max(1, bed.alive), entries = static_cast<double>(n.list.size());
+  count.operations = static_cast<double>(take_operations()) / particles;
+  count.pairs = entries * lanes / particles;
+  for (int c = 0; c < n.clusters; ++c)
+    for (int i = c * lanes; i < (c + 1) * lanes; ++i) {
+      if (bed.particles.id[i] < 0) continue;
+      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+      for (std::uint32_t k = n.first[c]; k < n.first[c + 1]; ++k) {
+        const float* q = &n.records[static_cast<std::size_t>(n.list[k]) * record::size];
+        const double u = r[record::quarter_inverse_h] + q[record::quarter_inverse_h];
+        count.pairs_within += std::hypot(r[0] - q[0], r[1] - q[1], r[2] - q[2]) * u < 1.0 ? 1.0 / particles : 0.0;
+      }
+    }
+  constexpr double line = record::size * sizeof(float), number = sizeof(std::uint32_t);
+  count.neighbour_bytes = 2.0 * entries * (line + number) / particles;  // in either sum
+  // Drift: position and velocity, and the record with its 10 fields of motion. Law: stretch, stress and work, read and
+  // written, and 6 fields of the record. Both sums: the record. Accelerations out and in. Kick: velocity, twice.
+  count.own_bytes = 9 * sizeof(double) + 15 * sizeof(float) + (16 + 6) * sizeof(float) + 2 * line + 6 * sizeof(float) +
+                    6 * sizeof(double);
+  return count;
+}
+
 }  // namespace apc::sph

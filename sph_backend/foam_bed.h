@@ -89,4 +89,13 @@ struct BedState {
 };
 BedState inspect(const Bed&);
 
+/// What one step of this block takes, per particle: counted by making the step in counting arithmetic (on a copy).
+struct StepCount {
+  double operations = 0.0;  ///< of both pair sums and the material law, single precision; a multiply-add is two
+  double pairs = 0.0, pairs_within = 0.0;  ///< computed, and of those within the kernel's support
+  double neighbour_bytes = 0.0;            ///< records of neighbours, a cache line each, and their numbers
+  double own_bytes = 0.0;                  ///< state and record of the particle itself, read and written
+};
+StepCount count_step(const Bed&);
+
 }  // namespace apc::sph

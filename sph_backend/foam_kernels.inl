@@ -10,16 +10,16 @@ struct Symmetric {
   Vec xx, yy, zz, xy, xz, yz;
 };
 
-inline Vec dot(const Symmetric& a, const Symmetric& b) {
+APC_INLINE Vec dot(const Symmetric& a, const Symmetric& b) {
   return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2.0f * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
 
 /// One Jacobi rotation in the plane (p, q); `r` is the third row. Q collects the rotations.
-inline __attribute__((always_inline)) void rotate(Vec& app, Vec& aqq, Vec& apq, Vec& arp, Vec& arq, Vec& q0p, Vec& q0q,
-                                                  Vec& q1p, Vec& q1q, Vec& q2p, Vec& q2q) {
+APC_INLINE void rotate(Vec& app, Vec& aqq, Vec& apq, Vec& arp, Vec& arq, Vec& q0p, Vec& q0q, Vec& q1p, Vec& q1q,
+                       Vec& q2p, Vec& q2q) {
   const Vec d = aqq - app;
   const Vec size = vsqrt(d * d + 4.0f * apq * apq) + 1e-20f;
-  const Vec sign = d < 0.0f ? splat(-1.0f) : splat(1.0f);
+  const Vec sign = where_negative(d, splat(-1.0f), splat(1.0f));
   const Vec t = 2.0f * sign * apq / (vabs(d) + size);
   const Vec c = rsqrt(1.0f + t * t), s = t * c;
   app -= t * apq, aqq += t * apq, apq = Vec{};
@@ -49,7 +49,7 @@ inline __attribute__((noinline)) void cap_principal(Symmetric& s, Vec crush, flo
   s.yz = q10 * q20 * a + q11 * q21 * b + q12 * q22 * c;
 }
 
-inline Vec yield_stress(const PairWork& w, Vec strain) {
+APC_INLINE Vec yield_stress(const PairWork& w, Vec strain) {
   Vec crush;
   const float last = static_cast<float>(w.yield_intervals) - 1.0f;
   for (int l = 0; l < width; ++l) {
@@ -62,8 +62,7 @@ inline Vec yield_stress(const PairWork& w, Vec strain) {
   return crush;
 }
 
-inline __attribute__((always_inline)) void update_stress(const PairWork& w, int base, Gradient l, double& internal,
-                                                         double& damped) {
+APC_INLINE void update_stress(const PairWork& w, int base, Gradient l, double& internal, double& damped) {
   const float dt = w.dt;
   const Vec stretch = load(w.stretch + base);
   const Vec volume = w.volume0 / (stretch * stretch * stretch);

@@ -5,7 +5,7 @@
 namespace apc::sph {
 
 const PairKernels& kernels_v3() {
-  static constexpr PairKernels kernels{"x86-64-v3", strain, accelerate, multiply_add, filter};
+  static constexpr PairKernels kernels{"x86-64-v3", strain, accelerate, multiply_add, read, filter};
   return kernels;
 }
 

@@ -56,6 +56,55 @@ void sort_entries(std::vector<Entry>& entries, std::vector<std::uint32_t>& cell_
   entries.swap(sorted);
 }
 
+/// A particle on its way into a cluster.
+struct Place {
+  float at[3];
+  std::uint32_t index;
+};
+
+/// What lies within `r` of the box around some places (Steiner): the length of a cluster's list, in volumes.
+float reached(const Place* first, const Place* last, float r) {
+  float size[3];
+  for (int a = 0; a < 3; ++a) {
+    const auto [low, high] =
+        std::minmax_element(first, last, [a](const Place& p, const Place& q) { return p.at[a] < q.at[a]; });
+    size[a] = high->at[a] - low->at[a];
+  }
+  const float sides = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  return size[0] * size[1] * size[2] + 2.0f * sides * r + 3.14f * (size[0] + size[1] + size[2]) * r * r;
+}
+
+/// Cuts places sorted by height into clusters, in halves: by height, or across where that leaves shorter lists because
+/// the foam is crushed. A lattice of cells two spacings wide gives cubes of 2 × 2 × 2.
+void cut(Place* first, Place* last, float r) {
+  const auto count = last - first;
+  if (count <= lanes) return;
+  const auto whole = (count + lanes - 1) / lanes;  // clusters; the last one may be short
+  Place* const middle = first + (whole + 1) / 2 * lanes;
+  const float cell = 0.9f * r;  // support of 2.4 spacings, cells of two
+  if (last[-1].at[2] - first->at[2] < 1.5f * cell) {
+    const auto by = [](int a) {
+      return [a](const Place& p, const Place& q) { return p.at[a] != q.at[a] ? p.at[a] < q.at[a] : p.index < q.index; };
+    };
+    float best = reached(first, middle, r) + reached(middle, last, r);
+    std::vector<Place> chosen;
+    for (const int a : {0, 1}) {
+      std::vector<Place> other(first, last);
+      std::nth_element(other.begin(), other.begin() + (middle - first), other.end(), by(a));
+      const float now = reached(other.data(), other.data() + (middle - first), r) +
+                        reached(other.data() + (middle - first), other.data() + count, r);
+      if (now < 0.98f * best) best = now, chosen.swap(other);
+    }
+    if (!chosen.empty()) {
+      std::copy(chosen.begin(), chosen.end(), first);
+      std::sort(first, middle, by(2));
+      std::sort(middle, last, by(2));
+    }
+  }
+  cut(first, middle, r);
+  cut(middle, last, r);
+}
+
 /// Sorted entries with all that decides whether they are neighbours.
 struct Sorted {
   std::vector<std::uint32_t> number, cell_first;
@@ -160,19 +209,30 @@ int sort_particles(Particles& particles, const NeighbourGrid& grid, double rear,
   sort_entries(entries, cell_first, cells.count(), team);
 
   constexpr std::uint32_t empty = 0xffffffffu;
-  std::vector<std::uint32_t> order;
-  order.reserve(entries.size() + entries.size() / 4);
-  for (int c = 0; c < cells.count(); ++c) {
-    for (std::uint32_t k = cell_first[c]; k < cell_first[c + 1]; ++k) order.push_back(entries[k].index);
-    while (order.size() % lanes != 0) order.push_back(empty);
-  }
-  while (order.size() % whole_vector != 0) order.push_back(empty);
+  std::vector<std::uint32_t> first(cells.count() + 1, 0);  // of the cells in the order to come
+  for (int c = 0; c < cells.count(); ++c)
+    first[c + 1] = first[c] + (cell_first[c + 1] - cell_first[c] + lanes - 1) / lanes * lanes;
+  std::vector<std::uint32_t> order((first.back() + whole_vector - 1) / whole_vector * whole_vector, empty);
+  team.run(cells.count(), 16, [&](int from, int to) {
+    std::vector<Place> places;
+    for (int c = from; c < to; ++c) {
+      places.clear();
+      for (std::uint32_t k = cell_first[c]; k < cell_first[c + 1]; ++k) {
+        const std::uint32_t i = entries[k].index;
+        places.push_back({{static_cast<float>(particles.x[i] - grid.origin[0]),
+                           static_cast<float>(particles.y[i] - grid.origin[1]), entries[k].z},
+                          i});
+      }
+      cut(places.data(), places.data() + places.size(), static_cast<float>(grid.support));
+      for (std::size_t k = 0; k < places.size(); ++k) order[first[c] + k] = places[k].index;
+    }
+  });
   const int count = static_cast<int>(order.size());
   for_each_field(particles, [&](auto& field) {
     using Value = typename std::decay_t<decltype(field)>::value_type;
     std::vector<Value> sorted(order.size());
-    team.run(count, piece, [&](int first, int last) {
-      for (int i = first; i < last; ++i) sorted[i] = order[i] == empty ? Value{} : field[order[i]];
+    team.run(count, piece, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) sorted[i] = order[i] == empty ? Value{} : field[order[i]];
     });
     field.swap(sorted);
   });

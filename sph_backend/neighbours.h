@@ -1,10 +1,10 @@
 /// Order of the particles and the neighbour list of every cluster.
 ///
 /// The plan view is cut into square cells of two spacings; the particles of a cell are sorted by height and cut into
-/// clusters of 8, so a cluster stays compact when the foam is crushed vertically. A list holds whatever may come within
-/// reach of the box around the 8 before the next renewal: every particle may travel its own `reach`, chosen from its
-/// speed, so the list is tight where the foam rests and generous under the wheel. A list is renewed when a particle
-/// outruns its reach.
+/// clusters of 8: by height, and across where the foam is crushed, so that a cluster stays compact. A list holds
+/// whatever may come within reach of the box around the 8 before the next renewal: every particle may travel its own
+/// `reach`, chosen from its speed, so the list is tight where the foam rests and generous under the wheel. A list is
+/// renewed when a particle outruns its reach.
 #pragma once
 
 #include <cstdint>

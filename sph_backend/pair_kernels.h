@@ -64,6 +64,8 @@ struct PairKernels {
   void (*accelerate)(const PairWork&, int first_cluster, int last_cluster);
   /// `rounds` dependent rounds of independent multiply-adds; returns the floating-point operations done.
   double (*multiply_add)(long rounds);
+  /// Reads `count` floats, a multiple of 128, and returns their sum.
+  float (*read)(const float* data, long count);
   /// Numbers of the candidates [first, end) within reach of the box, in their order; returns how many. `kept` has room
   /// for all of them and a whole vector.
   int (*filter)(const Candidates&, const Box&, int first, int end, std::uint32_t* kept);
@@ -77,5 +79,9 @@ const PairKernels* pair_kernels_of_width(int width);
 const PairKernels& kernels_v2();
 const PairKernels& kernels_v3();
 const PairKernels& kernels_v4();
+
+/// The same kernels in arithmetic that counts itself, and the operations of this thread since the last call.
+const PairKernels& kernels_counted();
+long long take_operations();
 
 }  // namespace apc::sph

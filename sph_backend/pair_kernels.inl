@@ -1,10 +1,34 @@
 // Body of kernels_v2.cpp, kernels_v3.cpp and kernels_v4.cpp; APC_LANES is the vector width in floats. Only functions
 // with internal linkage here, see vector.inl.
 #include "sph_backend/pair_kernels.h"
+#ifdef APC_COUNTED
+#include "sph_backend/counted_vector.inl"
+#else
 #include "sph_backend/vector.inl"
+#endif
 
 namespace apc::sph {
 namespace {
+
+#if APC_LANES < 16
+/// One neighbour for all lanes.
+struct Near {
+  const float* record;
+};
+template <int parts>
+APC_INLINE Near near(const float* records, const std::uint32_t* list) {
+  return {records + list[0] * std::size_t{record::size}};
+}
+template <int field>
+APC_INLINE float of(const Near& n) {
+  return n.record[field];
+}
+APC_INLINE int keep(unsigned bits, const std::uint32_t* from, std::uint32_t* to) {
+  int n = 0;
+  for (int l = 0; l < width; ++l) to[n] = from[l], n += bits >> l & 1u;
+  return n;
+}
+#endif
 
 /// A vector wider than a cluster holds the cluster twice and meets two neighbours at once.
 constexpr int at_once = width > lanes ? width / lanes : 1;
@@ -15,6 +39,7 @@ APC_INLINE Vec rsqrt(Vec a) {
   return y * (1.5f - 0.5f * a * y * y);
 }
 APC_INLINE Vec vabs(Vec a) { return vmax(a, -a); }
+APC_INLINE bool any_negative(Vec a) { return negative(a) != 0; }
 APC_INLINE Vec column(const float* records, int first, int field) {
   Vec v;
   for (int l = 0; l < width; ++l) v[l] = records[(first + l % lanes) * record::size + field];
@@ -141,16 +166,29 @@ void accelerate(const PairWork& w, int first_cluster, int last_cluster) {
 }
 
 double multiply_add(long rounds) {
-  Vec chain[10];
-  for (int k = 0; k < 10; ++k) chain[k] = splat(1.0f + 0.1f * static_cast<float>(k));
+  constexpr int chains = 10;  // enough to hide the latency of two units
+  Vec chain[chains];
+  for (int k = 0; k < chains; ++k) chain[k] = splat(1.0f + 0.1f * static_cast<float>(k));
   const Vec factor = splat(0.999f), term = splat(0.001f);
   for (long r = 0; r < rounds; ++r) {
 #pragma GCC unroll 10
-    for (int k = 0; k < 10; ++k) chain[k] = chain[k] * factor + term;
+    for (int k = 0; k < chains; ++k) chain[k] = chain[k] * factor + term;
   }
-  volatile float keep = 0.0f;
-  for (int k = 0; k < 10; ++k) keep = keep + chain[k][0];
-  return 2.0 * 10.0 * width * static_cast<double>(rounds);
+  volatile float keep_it = 0.0f;
+  for (int k = 0; k < chains; ++k) keep_it = keep_it + chain[k][0];
+  return 2.0 * chains * width * static_cast<double>(rounds);
+}
+
+float read(const float* data, long count) {
+  constexpr int sums = 8;
+  Vec part[sums];
+  for (Vec& one : part) one = splat(0.0f);
+  for (long i = 0; i + sums * width <= count; i += sums * width)
+#pragma GCC unroll 8
+    for (int k = 0; k < sums; ++k) part[k] += load(data + i + k * width);
+  float total = 0.0f;
+  for (const Vec& one : part) total += static_cast<float>(sum(one));
+  return total;
 }
 
 // The box stands for its particles: they fill it to within a spacing, and the support is more than two.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "sph_backend/press_rig.h"
@@ -14,6 +15,7 @@ namespace apc::sph {
 
 template <class Block>
 void press_block(const PressCase& given, Block& block, double area, PressResult& result) {
+  const auto begin = std::chrono::steady_clock::now();
   PressTool tool;
   tool.height = given.depth;
   if (given.punch_half_width > 0.0) tool.half_width = given.punch_half_width;
@@ -24,6 +26,7 @@ void press_block(const PressCase& given, Block& block, double area, PressResult&
   double reached = 0.0;  // strain of the last step
   const auto note = [&] {
     result.strain.push_back(reached), result.force.push_back(tool.force), result.work.push_back(work);
+    result.clock.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     result.work_exact.push_back(area * given.depth * crush_work(given.foam, std::max(0.0, reached)));
   };
   for (long step = 1;; ++step) {

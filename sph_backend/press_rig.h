@@ -28,6 +28,7 @@ struct PressResult {
   bool inverted = false;                    ///< elements turned inside out: the run ended there
   std::vector<double> strain, force, work;  ///< of the tool; N, J
   std::vector<double> work_exact;           ///< closed form under a platen, at the same strains
+  std::vector<double> clock;                ///< s since the start, by the wall, at the same strains
   double energy_rmse =
       0.0;  ///< root mean square of (work − exact) over ε in 0.05 … end, over the exact work at the end
   double residual = 0.0;                                                                ///< of the energy account

@@ -25,6 +25,7 @@ APC_INLINE Vec vmin(Vec a, Vec b) { return (Vec)_mm512_maskz_min_ps(all, (__m512
 APC_INLINE Vec rsqrt0(Vec a) { return (Vec)_mm512_maskz_rsqrt14_ps(all, (__m512)a); }
 APC_INLINE Vec rcp0(Vec a) { return (Vec)_mm512_maskz_rcp14_ps(all, (__m512)a); }
 APC_INLINE Vec vsqrt(Vec a) { return (Vec)_mm512_maskz_sqrt_ps(all, (__m512)a); }
+/// Bit l: lane l is negative.
 APC_INLINE unsigned negative(Vec a) { return _mm512_movepi32_mask((__m512i)a); }
 
 /// Appends to `to` the entries of `from` whose bit is set; returns how many. Room for a whole vector is needed.
@@ -72,30 +73,9 @@ APC_INLINE Vec rcp0(Vec a) { return (Vec)_mm_rcp_ps((__m128)a); }
 APC_INLINE Vec vsqrt(Vec a) { return (Vec)_mm_sqrt_ps((__m128)a); }
 APC_INLINE unsigned negative(Vec a) { return static_cast<unsigned>(_mm_movemask_ps((__m128)a)); }
 #endif
-
-APC_INLINE int keep(unsigned bits, const std::uint32_t* from, std::uint32_t* to) {
-  int n = 0;
-  for (int l = 0; l < width; ++l) to[n] = from[l], n += bits >> l & 1u;
-  return n;
-}
-
-/// One neighbour for all lanes.
-struct Near {
-  const float* record;
-};
-template <int parts>
-APC_INLINE Near near(const float* records, const std::uint32_t* list) {
-  return {records + list[0] * std::size_t{record::size}};
-}
-template <int field>
-APC_INLINE float of(const Near& n) {
-  return n.record[field];
-}
 #endif
 
-/// Bit l: lane l is negative. See `negative` above.
-APC_INLINE bool any_negative(Vec a) { return negative(a) != 0; }
-
+APC_INLINE Vec where_negative(Vec a, Vec yes, Vec no) { return a < 0.0f ? yes : no; }
 APC_INLINE double sum(Vec a) {
   double total = 0.0;
   for (int l = 0; l < width; ++l) total += a[l];

@@ -81,14 +81,34 @@ std::string convergence_json(const std::vector<sph::Convergence>& studies, const
   return text_of(out);
 }
 
-std::string bench_json(const std::vector<BenchRow>& rows) {
-  Value out{{"schema", "apc-sph-bench/1"}, {"rows", Value::array()}};
-  for (const auto& row : rows)
+std::string bench_json(const sph::Throughput& t, const std::string& command) {
+  Value out{{"schema", "apc-sph-bench/2"},
+            {"command", command},
+            {"instruction_set", t.instruction_set},
+            {"particles", t.particles},
+            {"window_particles", t.window_particles},
+            {"window_steps", t.window_steps},
+            {"bytes_per_particle", t.bytes_per_particle},
+            {"crushed_cost", t.crushed_cost},
+            {"per_particle_step",
+             {{"operations", t.count.operations},
+              {"pairs", t.count.pairs},
+              {"pairs_within", t.count.pairs_within},
+              {"neighbour_bytes", t.count.neighbour_bytes},
+              {"own_bytes", t.count.own_bytes}}},
+            {"rows", Value::array()}};
+  for (const auto& row : t.rows)
     out["rows"].push_back({{"threads", row.threads},
-                           {"particles", row.particles},
-                           {"particle_steps", row.particle_steps},
-                           {"particle_steps_per_s", row.particle_steps_per_s},
-                           {"wall_s", row.wall_s}});
+                           {"rest", row.rest},
+                           {"whole", row.whole},
+                           {"window", row.window},
+                           {"nominal", row.nominal},
+                           {"window_wall_s", row.window_wall_s},
+                           {"drag", row.drag},
+                           {"vertical", row.vertical},
+                           {"limit_operations", row.limits.operations},
+                           {"limit_near_bytes", row.limits.near_bytes},
+                           {"limit_far_bytes", row.limits.far_bytes}});
   return text_of(out);
 }
 

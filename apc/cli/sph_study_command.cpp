@@ -1,7 +1,5 @@
 /// `apc sph verify|converge|bench`: the published cases by particles and elements, their convergence, what their unsaid
 /// choices move, and the throughput of this machine.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
@@ -23,7 +21,7 @@ struct StudyWords {
   std::string study, spacing, sizes, method, spin = "free", entry, elements = "one_point", hourglass = "stiffness";
   std::filesystem::path checkpoints;
   double friction = -1.0, hourglass_factor = 0.05;
-  bool span = false;
+  bool span = false, quick = false;
   unsigned threads = 0;
 };
 
@@ -148,27 +146,18 @@ void converge(const StudyWords& words, Settings& settings) {
   if (!settings.quiet) std::fputs(convergence_text(studies, settings.units).c_str(), stdout);
 }
 
-/// The published tire case at 2 in, rolled for one radius after its release: the same work for every machine.
 void bench(const StudyWords& words, Settings& settings) {
-  auto deck = read_deck("h44_70kt");
-  deck.rig.longest = 0.5 * deck.rig.tire.diameter;
-  const unsigned all = words.threads == 0 ? hardware_threads() : words.threads;
-  std::vector<BenchRow> rows;
-  for (const unsigned threads : {1u, all}) {
-    if (!rows.empty() && threads == 1) break;
-    sph::RollOptions options;
-    options.threads = threads;
-    options.stop = stop_requested;
-    auto line = line_of(settings, concat("bench on ", threads, threads == 1 ? " thread" : " threads"));
-    if (line) options.progress = [&](double share, const std::string& remark) { line->show(share, remark); };
-    const auto result = sph::roll(deck.rig, options);
-    rows.push_back({threads, result.particles, result.particle_steps, result.particle_steps_per_s, result.wall_s});
-  }
-  if (!settings.json.empty()) write_text(settings.json, bench_json(rows));
-  if (settings.quiet) return;
-  for (const auto& row : rows)
-    fmt::print("{:>3} {}  {:>8.0f} particles  {:>7.2f} million particle-steps/s  {:>7.1f} s\n", row.threads,
-               row.threads == 1 ? "thread " : "threads", row.particles, row.particle_steps_per_s / 1e6, row.wall_s);
+  require(words.threads <= 1024, "--threads: ", words.threads, ". Between 1 and 1024 are possible, 0 takes all");
+  sph::BenchOptions options;
+  options.threads = words.threads == 0 ? hardware_threads() : words.threads;
+  options.quick = words.quick;
+  options.stop = stop_requested;
+  auto line = line_of(settings, "bench");
+  if (line) options.progress = [&](double share, const std::string& remark) { line->show(share, remark); };
+  const auto result = sph::measure_throughput(options);
+  line.reset();
+  if (!settings.json.empty()) write_text(settings.json, bench_json(result, settings.command_line));
+  if (!settings.quiet) std::fputs(bench_text(result).c_str(), stdout);
 }
 
 }  // namespace
@@ -210,7 +199,10 @@ void add_sph_studies(CLI::App& sph, Settings& settings) {
   converged
       ->add_option("--sizes", converge_words->sizes, "default: the published ones, or 1, 3/4 and 1/2 of the deck's")
       ->type_name("\"4 in, 2 in, 1 in\"");
-  add("bench", "particle-steps per second of this machine on the published tire case", bench);
+  const auto [benched, bench_words] =
+      add("bench", "throughput of this machine on the published tire case, beside its limits", bench);
+  benched->add_flag("--quick", bench_words->quick, "a small bed: to see that it works, not to quote");
+  benched->footer("About a minute on an idle machine. Other work on it shows in the figures.");
 }
 
 }  // namespace apc::cli

@@ -154,5 +154,31 @@ TEST(SphVerify, UnknownWordsAreRefused) {
   EXPECT_TRUE(folder.files().empty());
 }
 
+TEST(SphBench, PrintsThroughputBesideTheLimitsOfTheProcessor) {
+  const Folder folder;
+  const auto said = run(folder, {"sph", "bench", "--quick", "--threads", "2", "--json", "bench.json"});
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "bench.json"));
+  const auto& one = json.at("rows").at(0);
+  const auto& two = json.at("rows").at(1);
+  EXPECT_EQ(one.at("threads"), 1);
+  EXPECT_EQ(two.at("threads"), 2);
+  EXPECT_EQ(one.at("drag"), two.at("drag"));  // same bits
+  EXPECT_EQ(one.at("vertical"), two.at("vertical"));
+  const double wall = one.at("window_wall_s"), steps = json.at("window_steps"), particles = json.at("particles");
+  EXPECT_NEAR(one.at("nominal").get<double>() / (particles * steps / wall), 1.0, 1e-9);
+  const auto& each = json.at("per_particle_step");
+  EXPECT_GT(each.at("pairs").get<double>(), each.at("pairs_within").get<double>());
+  const double share =
+      one.at("rest").get<double>() * each.at("operations").get<double>() / one.at("limit_operations").get<double>();
+  EXPECT_GT(share, 0.02);
+  EXPECT_LT(share, 1.0);
+  EXPECT_GT(json.at("crushed_cost").get<double>(), 0.0);
+  EXPECT_LT(json.at("bytes_per_particle").get<double>(), 2000.0);
+  for (const char* word :
+       {"foam at rest", "nominal", "same bits", "Gflop/s", "share of the limit", "bytes per particle"})
+    EXPECT_NE(said.out.find(word), std::string::npos) << word;
+}
+
 }  // namespace
 }  // namespace apc::scenarios

@@ -121,5 +121,34 @@ TEST(Neighbours, ListsHoldEveryPairWithinTheSupport) {
   EXPECT_GT(bed.rebuilds, 2);
 }
 
+/// Intact foam and foam crushed to a fifth of its height: a particle must not look at many times more neighbours.
+TEST(Neighbours, ListsStayShortInCrushedFoam) {
+  const auto entries = [](double height) {
+    BedSpec s = testing::free_block(16, 16, 16);
+    s.spacing = 1.0 * units::in;
+    Bed bed = make_bed(s);
+    for (double& z : bed.particles.z) z *= height;
+    for (float& stretch : bed.particles.stretch) stretch = static_cast<float>(std::pow(height, -1.0 / 3.0));
+    move_window(bed, 0, 16);
+    return static_cast<double>(bed.neighbours.list.size()) / bed.alive;
+  };
+  const double intact = entries(1.0);
+  EXPECT_LT(intact, 14.0);  // free faces; 16 inside
+  EXPECT_LT(entries(0.2) / intact, 1.8);
+}
+
+/// Operations counted are those of the formulas, counted by hand.
+TEST(PairKernels, CountedStepIsTheSumOfItsPairs) {
+  Bed bed = make_bed(testing::free_block(8, 8, 8));
+  const StepCount count = count_step(bed);
+  EXPECT_EQ(count.pairs, static_cast<double>(bed.neighbours.list.size()) * lanes / bed.alive);
+  EXPECT_GT(count.pairs, count.pairs_within);
+  EXPECT_GT(count.pairs_within, 27.0);
+  EXPECT_LT(count.pairs_within, 57.001);  // 56 neighbours and itself inside
+  // Geometry 3 + 5 + 1 + 5 + 4, twice; gradient 6 + 18; force 8 + 1 + 6 + 5 + 3 + 3 + 9 + 18. The law adds to that.
+  EXPECT_GT(count.operations / count.pairs, 2 * 18 + 24 + 53);
+  EXPECT_LT(count.operations / count.pairs, 2 * 18 + 24 + 53 + 8);
+}
+
 }  // namespace
 }  // namespace apc::sph
