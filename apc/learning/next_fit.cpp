@@ -272,4 +272,31 @@ Fitted fit(const Field& f, const Training& t, const std::vector<Applied>& effect
   return result;
 }
 
+Eigen::MatrixXd amplitude_spread(const Field& f, std::size_t r, const Segments& s, const Eigen::VectorXd& value,
+                                 const Fitted& fitted) {
+  const Contender& c = fitted.contender;
+  const Eigen::Index n = static_cast<Eigen::Index>(c.effects.size()), all = fitted.covariance.rows();
+  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(value.size(), n);
+  if (n == 0) return spread;
+  // Directions of the joint posterior in which the amplitudes vary: C_·A L⁻ᵀ with C_AA = L Lᵀ.
+  const Eigen::LLT<Eigen::MatrixXd> factor(fitted.covariance.bottomRightCorner(n, n));
+  const Eigen::MatrixXd directions =
+      factor.matrixL().solve(Eigen::MatrixXd(fitted.covariance.rightCols(n).transpose()));
+  for (Eigen::Index k = 0; k < n; ++k) {
+    Eigen::VectorXd ends[2] = {value, value};
+    for (const int side : {0, 1}) {
+      Contender end = moved(f, c, (side == 0 ? 1.0 : -1.0) * directions.row(k).transpose().head(all));
+      Eigen::VectorXd eta = Eigen::VectorXd::Zero(f.layout.size);
+      eta.head(f.globals()) = end.eta.head(f.globals());
+      try {
+        ends[side] = numbers_at(f, r, s, eta, end.effects);
+      } catch (const SolveError&) {
+        continue;  // that end stays where the fit is
+      }
+    }
+    spread.col(k) = 0.5 * (ends[0] - ends[1]);
+  }
+  return spread;
+}
+
 }  // namespace apc::learning

@@ -60,4 +60,10 @@ struct Fitted {
 /// `rounds` − 1 Gauss–Newton steps; the last round is for the covariance.
 Fitted fit(const Field&, const Training&, const std::vector<effects::Applied>&, unsigned threads, int rounds);
 
+/// What one deviation of the amplitudes, taken as the fit leaves them, does to the numbers of run `r`: a column per
+/// independent direction, half the difference between the two ends. Unknowns that trade against the amplitudes move
+/// along. Wide steps on purpose: sensitivities of nearly bistable runs depend on the step, and this is the one meant.
+Eigen::MatrixXd amplitude_spread(const Field&, std::size_t r, const Segments&, const Eigen::VectorXd& value,
+                                 const Fitted&);
+
 }  // namespace apc::learning

@@ -80,6 +80,15 @@ void borrow(const Numbers& neighbour, Numbers& n) {
   }
 }
 
+/// What is uncertain of the shared unknowns once the amplitudes are known.
+Eigen::MatrixXd given_amplitudes(const Fitted& fitted, Eigen::Index globals) {
+  const Eigen::Index n = fitted.covariance.rows() - globals;
+  const Eigen::MatrixXd all = fitted.covariance.topLeftCorner(globals, globals);
+  if (n == 0) return all;
+  const Eigen::MatrixXd cross = fitted.covariance.topRightCorner(globals, n);
+  return all - cross * fitted.covariance.bottomRightCorner(n, n).ldlt().solve(cross.transpose());
+}
+
 /// `neighbour`: another candidate at this speed, or empty; becomes this one's numbers.
 void weigh_candidate(const Case& data, const Field& known, const std::vector<Fitted>& fits,
                      const std::vector<Unseen>& unseen, const std::vector<SensorSet>& sets,
@@ -113,13 +122,10 @@ void weigh_candidate(const Case& data, const Field& known, const std::vector<Fit
   std::vector<Eigen::VectorXd> value;
   std::vector<Eigen::MatrixXd> predictive;
   for (std::size_t j = 0; j < fits.size(); ++j) {
-    const auto& effects = fits[j].contender.effects;
     value.push_back(simulated_features(f.runs[r], n.segments, traces[j], f.data.aircraft));
-    std::vector<Eigen::VectorXd> amplitudes;
-    for (std::size_t k = 0; k < effects.size(); ++k)
-      amplitudes.push_back(by_amplitude(f, r, n.segments, value[j], eta[j], effects, k));
-    const Eigen::MatrixXd J = joint_columns(f, n, amplitudes);
-    predictive.push_back(own + J * fits[j].covariance * J.transpose());
+    const Eigen::MatrixXd spread = amplitude_spread(f, r, n.segments, value[j], fits[j]), J = joint_columns(f, n, {}),
+                          C = given_amplitudes(fits[j], globals);
+    predictive.push_back(own + J * C * J.transpose() + spread * spread.transpose());
   }
   std::vector<Eigen::MatrixXd> unseen_columns;
   for (const Unseen& u : unseen) {
