@@ -81,6 +81,9 @@ std::vector<std::vector<effects::Applied>> contenders_of_file(const std::filesys
                                                               const std::vector<effects::Effect>& known) {
   const Json file = read_json(path);
   file.schema("apc-diagnosis/1");
+  // Nothing, or an instrument: the bed stands as it is, and the next run should see smaller effects.
+  const std::string verdict = file.text("verdict", "");
+  if (verdict == "nothing" || verdict == "sensor") return {{}};
   const auto claims = effects::read_applied(file.objects("effects"), known);
   file.check(file.has("set90") && file.raw().at("set90").is_array(), "set90",
              R"(needs the explanations that stand, such as [["seams"], ["seams", "debris"], []])");

@@ -14,7 +14,9 @@ struct SurveyedRuns {
   std::vector<effects::Applied> hidden;
   double block_strength = 0.06, correlation = 3.0;  ///< of the logarithm; m
   double table_error = 0.0;  ///< rms of the tables' errors: mean and slope along the speed at three penetrations
-  double accelerometer_scale = 1.0;  ///< what the accelerometers read along x, × the truth
+  double accelerometer_scale = 1.0;   ///< what the accelerometers read along x, × the truth
+  double accelerometer_offset = 0.0;  ///< m/s², what they read along x beyond that, as when tilted
+  double ramp = 15.24;                ///< m
   unsigned seed = 1;
 };
 
@@ -63,7 +65,7 @@ inline learning::Run surveyed_run(const simulation::Model& model, const Surveyed
   const simulation::Result result = simulation::simulate(model, truth, options);
   const simulation::History& h = result.history;
   std::vector<double> forward = h.acceleration_x;
-  for (double& a : forward) a *= wanted.accelerometer_scale;
+  for (double& a : forward) a = a * wanted.accelerometer_scale + wanted.accelerometer_offset;
   run.channels = {channel(Quantity::speed, 0.1, 0.05, h.time, h.speed, 10, random),
                   channel(Quantity::acceleration_x, 0.3, 0.1, h.time, forward, 1, random),
                   channel(Quantity::acceleration_z, 0.5, 0.1, h.time, h.acceleration_z, 1, random),
@@ -86,7 +88,7 @@ inline learning::Run surveyed_run(const simulation::Model& model, const Surveyed
 
 /// A B737-800 in 20 in of 50 psi foam.
 inline learning::Case surveyed_case(const SurveyedRuns& wanted) {
-  bed::Bed bed = foam_bed(0.508, 15.24, 300.0);
+  bed::Bed bed = foam_bed(0.508, wanted.ramp, 300.0);
   bed.nominal = bed::NominalMaterial{50 * units::psi, 320.0, 0.85};
   bed.block_length = 1.22;
   const simulation::Model model = foam_model("B737-800", bed);
