@@ -49,6 +49,7 @@ std::string fingerprint(const RollingCase& c) {
                          c.window,
                          c.entry,
                          static_cast<double>(c.spin),
+                         static_cast<double>(c.form),
                          c.rigid_roller ? 1.0 : 0.0})
     add(v);
   for (const double v : c.foam.load_curve.x()) add(v);

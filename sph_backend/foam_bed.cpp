@@ -60,9 +60,10 @@ void fill_stress_records(Bed& bed, int first, int last) {
   const Particles& p = bed.particles;
   for (int i = first; i < last; ++i) {
     const float s = p.stretch[i], v = static_cast<float>(bed.volume0) / (s * s * s);
+    const float scale = bed.spec.form == PairForm::mass ? v * v : 1.0f;
     for (int c = 0; c < 6; ++c)
       bed.neighbours.records[static_cast<std::size_t>(i) * record::size + record::sxx + c] =
-          p.stress[c][i] * (v * v / static_cast<float>(bed.mass));
+          p.stress[c][i] * (scale / static_cast<float>(bed.mass));
   }
 }
 
@@ -92,6 +93,7 @@ PairWork pair_work(Bed& bed) {
   for (int a = 0; a < 3; ++a) w.acceleration[a] = bed.acceleration[a].data();
   w.internal = n.internal.data(), w.viscous = n.viscous.data(), w.damped = n.damped.data();
   w.yield = bed.yield.stress.data(), w.yield_intervals = YieldTable::intervals, w.yield_lowest = bed.yield.lowest;
+  w.form = bed.spec.form;
   w.tension_cutoff = static_cast<float>(foam.tension_cutoff);
   w.dt = static_cast<float>(bed.dt);
   w.lame_lambda = static_cast<float>(foam.lame_lambda()), w.shear_modulus = static_cast<float>(foam.shear_modulus());

@@ -29,8 +29,9 @@ struct BedSpec {
   int first_column = 0, columns = 0;
   int held_columns = 4;            ///< at either end of the block: strain, but do not move
   double alpha = 0.1, beta = 2.0;  ///< artificial viscosity
-  double cfl = 0.25;               ///< Δt = cfl · h0/(c + speed)
-  double speed = 0.0;              ///< fastest tool, m/s
+  PairForm form = PairForm::mass;
+  double cfl = 0.25;   ///< Δt = cfl · h0/(c + speed)
+  double speed = 0.0;  ///< fastest tool, m/s
   unsigned threads = 1;
 };
 

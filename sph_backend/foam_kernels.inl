@@ -62,11 +62,12 @@ APC_INLINE Vec yield_stress(const PairWork& w, Vec strain) {
   return crush;
 }
 
+template <PairForm form>
 APC_INLINE void update_stress(const PairWork& w, int base, Gradient l, double& internal, double& damped) {
   const float dt = w.dt;
   const Vec stretch = load(w.stretch + base);
   const Vec volume = w.volume0 / (stretch * stretch * stretch);
-  const Vec f = grad * volume;
+  const Vec f = form == PairForm::mass ? grad * volume : splat(grad);
   l.xx *= f, l.xy *= f, l.xz *= f, l.yx *= f, l.yy *= f, l.yz *= f, l.zx *= f, l.zy *= f, l.zz *= f;
   const Vec trace = l.xx + l.yy + l.zz;
   const Symmetric d{l.xx, l.yy, l.zz, 0.5f * (l.xy + l.yx), 0.5f * (l.xz + l.zx), 0.5f * (l.yz + l.zy)};
@@ -126,7 +127,11 @@ APC_INLINE void update_stress(const PairWork& w, int base, Gradient l, double& i
     damped += sum((dt * w.volume0) * ratio * dot(v, d));
     s.xx += v.xx, s.yy += v.yy, s.zz += v.zz, s.xy += v.xy, s.xz += v.xz, s.yz += v.yz;
   }
-  const Vec scale = (w.volume0 * w.volume0 / w.mass) * ratio * ratio;  // V²/m
+  if constexpr (form == PairForm::volume)
+    for (int i = 0; i < width; ++i)
+      w.records[static_cast<std::size_t>(base + i) * record::size + record::volume] = new_volume[i];
+  // V²/m or 1/m
+  const Vec scale = form == PairForm::mass ? (w.volume0 * w.volume0 / w.mass) * ratio * ratio : splat(1.0f / w.mass);
   s.xx *= scale, s.yy *= scale, s.zz *= scale, s.xy *= scale, s.xz *= scale, s.yz *= scale;
   for (int i = 0; i < width; ++i) {
     float* q = w.records + static_cast<std::size_t>(base + i) * record::size;

@@ -67,6 +67,7 @@ void refresh_stress(std::vector<float>& records, std::size_t count, const std::v
       to[sxy] = image.sign[0] * image.sign[1] * from[sxy];
       to[sxz] = image.sign[0] * image.sign[2] * from[sxz];
       to[syz] = image.sign[1] * image.sign[2] * from[syz];
+      to[volume] = from[volume];
     }
   });
 }

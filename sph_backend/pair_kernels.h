@@ -5,6 +5,9 @@
 /// The two are conjugate: Σ_i m a_i·v_i = −Σ_i V_i σ_i : L_i − viscous heat, whatever the particle arrangement.
 ///   viscosity  Π = (−α c̄ μ + β μ²)/ρ̄, μ = h v·r/(r² + 0.01 h²) when approaching, else 0   (Monaghan 1992)
 ///
+/// The volume form, for comparison (PairForm::volume), is conjugate too:
+///   L_i = Σ_j V_j (v_j − v_i) ⊗ ∇W,  m a_i = Σ_j V_i V_j (σ_i + σ_j)·∇W − …
+///
 /// Neighbour data lie in records of 16 floats (one cache line) in the order of `record`; mirror images follow the real
 /// particles, and one record of nothing ends them. One cluster of 8 particles shares one neighbour list of even length.
 /// A vector of 8 lanes or less meets one neighbour at a time; one of 16 lanes holds the cluster twice and meets two.
@@ -20,6 +23,8 @@ inline constexpr int whole_vector = 16;  ///< the number of particles is a multi
 namespace record {
 enum : int { x, y, z, quarter_inverse_h, vx, vy, vz, visc_a, sxx, syy, szz, sxy, sxz, syz, visc_b, volume, size };
 }
+
+enum class PairForm { mass, volume };
 
 /// Everything a kernel reads and writes; plain pointers so that the kernels can be compiled once per instruction set.
 struct PairWork {
@@ -39,6 +44,7 @@ struct PairWork {
   float yield_lowest, tension_cutoff;
   float dt, lame_lambda, shear_modulus, poisson_ratio;
   float volume0, mass;
+  PairForm form;
   float damping;  ///< c ρ0 D L: damping stress per strain rate at zero strain
 };
 

@@ -78,12 +78,14 @@ APC_INLINE Pair pair_of(const Here& p, const Near& q) {
   return a;
 }
 
+template <PairForm form>
 APC_INLINE Gradient gradient(const PairWork& w, int base, std::uint32_t first, std::uint32_t end) {
   const Here p = here(w.records, base);
   Gradient s{};
   for (std::uint32_t k = first; k < end; k += at_once) {
-    const Near q = near<2>(w.records, w.neighbour + k);
-    const Pair a = pair_of(p, q);
+    const Near q = near < form == PairForm::mass ? 2 : 4 > (w.records, w.neighbour + k);
+    Pair a = pair_of(p, q);
+    if constexpr (form == PairForm::volume) a.weight = a.weight * of<record::volume>(q);
     const Vec ax = a.weight * (p.vx - of<record::vx>(q)), ay = a.weight * (p.vy - of<record::vy>(q)),
               az = a.weight * (p.vz - of<record::vz>(q));
     s.xx += ax * a.dx, s.xy += ax * a.dy, s.xz += ax * a.dz;
@@ -97,13 +99,14 @@ struct Force {
   Vec x, y, z, heat;
 };
 
+template <PairForm form>
 APC_INLINE Force force(const PairWork& w, int base, std::uint32_t first, std::uint32_t end) {
   using namespace record;
   const float* r = w.records;
   const Here p = here(r, base);
   const Vec pxx = column(r, base, sxx), pyy = column(r, base, syy), pzz = column(r, base, szz);
   const Vec pxy = column(r, base, sxy), pxz = column(r, base, sxz), pyz = column(r, base, syz);
-  const Vec va = column(r, base, visc_a), vb = column(r, base, visc_b);
+  const Vec va = column(r, base, visc_a), vb = column(r, base, visc_b), size = column(r, base, volume);
   Force f{};
   for (std::uint32_t k = first; k < end; k += at_once) {
     const Near q = near<4>(r, w.neighbour + k);
@@ -114,8 +117,13 @@ APC_INLINE Force force(const PairWork& w, int base, std::uint32_t first, std::ui
     const Vec pi = mu * ((vb + of<visc_b>(q)) * mu - (va + of<visc_a>(q)));
     f.heat -= (a.weight * pi) * approach;
     const Vec wx = a.weight * a.dx, wy = a.weight * a.dy, wz = a.weight * a.dz;
-    const Vec txx = (pxx + of<sxx>(q)) - pi, tyy = (pyy + of<syy>(q)) - pi, tzz = (pzz + of<szz>(q)) - pi;
-    const Vec txy = pxy + of<sxy>(q), txz = pxz + of<sxz>(q), tyz = pyz + of<syz>(q);
+    Vec txx = pxx + of<sxx>(q), tyy = pyy + of<syy>(q), tzz = pzz + of<szz>(q);
+    Vec txy = pxy + of<sxy>(q), txz = pxz + of<sxz>(q), tyz = pyz + of<syz>(q);
+    if constexpr (form == PairForm::volume) {
+      const Vec both = size * of<volume>(q);
+      txx *= both, tyy *= both, tzz *= both, txy *= both, txz *= both, tyz *= both;
+    }
+    txx -= pi, tyy -= pi, tzz -= pi;
     f.x -= txx * wx, f.x -= txy * wy, f.x -= txz * wz;
     f.y -= txy * wx, f.y -= tyy * wy, f.y -= tyz * wz;
     f.z -= txz * wx, f.z -= tyz * wy, f.z -= tzz * wz;
@@ -124,38 +132,46 @@ APC_INLINE Force force(const PairWork& w, int base, std::uint32_t first, std::ui
 }
 
 #if APC_LANES == 16
+template <PairForm form>
 APC_INLINE Gradient gradients(const PairWork& w, int c, int) {
-  const Gradient a = gradient(w, c * lanes, w.first[c], w.first[c + 1]),
-                 b = gradient(w, (c + 1) * lanes, w.first[c + 1], w.first[c + 2]);
+  const Gradient a = gradient<form>(w, c * lanes, w.first[c], w.first[c + 1]),
+                 b = gradient<form>(w, (c + 1) * lanes, w.first[c + 1], w.first[c + 2]);
   return {join(a.xx, b.xx), join(a.xy, b.xy), join(a.xz, b.xz), join(a.yx, b.yx), join(a.yy, b.yy),
           join(a.yz, b.yz), join(a.zx, b.zx), join(a.zy, b.zy), join(a.zz, b.zz)};
 }
+template <PairForm form>
 APC_INLINE Force forces(const PairWork& w, int c, int) {
-  const Force a = force(w, c * lanes, w.first[c], w.first[c + 1]),
-              b = force(w, (c + 1) * lanes, w.first[c + 1], w.first[c + 2]);
+  const Force a = force<form>(w, c * lanes, w.first[c], w.first[c + 1]),
+              b = force<form>(w, (c + 1) * lanes, w.first[c + 1], w.first[c + 2]);
   return {join(a.x, b.x), join(a.y, b.y), join(a.z, b.z), join(a.heat, b.heat)};
 }
 #else
+template <PairForm form>
 APC_INLINE Gradient gradients(const PairWork& w, int c, int base) {
-  return gradient(w, base, w.first[c], w.first[c + 1]);
+  return gradient<form>(w, base, w.first[c], w.first[c + 1]);
 }
-APC_INLINE Force forces(const PairWork& w, int c, int base) { return force(w, base, w.first[c], w.first[c + 1]); }
+template <PairForm form>
+APC_INLINE Force forces(const PairWork& w, int c, int base) {
+  return force<form>(w, base, w.first[c], w.first[c + 1]);
+}
 #endif
 
-void strain(const PairWork& w, int first_cluster, int last_cluster) {
+template <PairForm form>
+void strain_in(const PairWork& w, int first_cluster, int last_cluster) {
   for (int c = first_cluster; c < last_cluster; c += at_once) {
     double internal = 0.0, damped = 0.0;
     for (int base = c * lanes; base < (c + at_once) * lanes; base += width)
-      update_stress(w, base, gradients(w, c, base), internal, damped);
+      update_stress<form>(w, base, gradients<form>(w, c, base), internal, damped);
     w.internal[c] = internal, w.damped[c] = damped;
   }
 }
 
-void accelerate(const PairWork& w, int first_cluster, int last_cluster) {
+template <PairForm form>
+void accelerate_in(const PairWork& w, int first_cluster, int last_cluster) {
   for (int c = first_cluster; c < last_cluster; c += at_once) {
     double viscous = 0.0;
     for (int base = c * lanes; base < (c + at_once) * lanes; base += width) {
-      const Force f = forces(w, c, base);
+      const Force f = forces<form>(w, c, base);
       store(w.acceleration[0] + base, grad * f.x);
       store(w.acceleration[1] + base, grad * f.y);
       store(w.acceleration[2] + base, grad * f.z);
@@ -163,6 +179,16 @@ void accelerate(const PairWork& w, int first_cluster, int last_cluster) {
     }
     w.viscous[c] = viscous;
   }
+}
+
+void strain(const PairWork& w, int first_cluster, int last_cluster) {
+  const bool mass = w.form == PairForm::mass;
+  (mass ? strain_in<PairForm::mass> : strain_in<PairForm::volume>)(w, first_cluster, last_cluster);
+}
+
+void accelerate(const PairWork& w, int first_cluster, int last_cluster) {
+  const bool mass = w.form == PairForm::mass;
+  (mass ? accelerate_in<PairForm::mass> : accelerate_in<PairForm::volume>)(w, first_cluster, last_cluster);
 }
 
 double multiply_add(long rounds) {

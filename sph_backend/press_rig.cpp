@@ -28,13 +28,14 @@ PressResult press(const PressCase& given) {
   spec.hold_bottom = false, spec.mirror_ends = true;
   spec.columns = std::max(1, static_cast<int>(std::lround(given.length / given.spacing)));
   spec.alpha = given.alpha, spec.beta = given.beta, spec.cfl = given.cfl, spec.speed = given.speed;
-  spec.threads = given.threads;
+  spec.form = given.form, spec.threads = given.threads;
   Bed bed = make_bed(spec);
 
   PressResult result;
   press_block(given, bed, bed.half_width * spec.columns * spec.spacing, result);
   const BedState state = inspect(bed);
-  result.compaction = state.compaction, result.bytes_per_particle = state.bytes_per_particle;
+  result.compaction = state.compaction, result.partition = state.partition_mean,
+  result.bytes_per_particle = state.bytes_per_particle;
   result.particles = bed.alive, result.steps = static_cast<double>(bed.steps);
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.particle_steps_per_s = static_cast<double>(bed.particle_steps) / result.wall_s;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sph_backend/foam.h"
+#include "sph_backend/pair_kernels.h"
 
 namespace apc::sph {
 
@@ -21,6 +22,7 @@ struct PressCase {
   double strain_end = 0.85;                       ///< nominal strain at the end
   double unload_to = -1.0;                        ///< strain to go back to afterwards; negative: no unloading
   double alpha = 0.1, beta = 2.0, cfl = 0.25;     ///< of particles
+  PairForm form = PairForm::mass;                 ///< of particles
   unsigned threads = 1;
 };
 
@@ -35,6 +37,7 @@ struct PressResult {
   double internal = 0.0, viscous = 0.0, damping = 0.0, kinetic = 0.0, hourglass = 0.0;  ///< J, at the end
   double contact = 0.0, radius = 0.0;  ///< stored and damped; work of the shrinking contact radius
   double compaction = 0.0;
+  double partition = 1.0;           ///< Σ V W of particles, mean over those compacted beyond one half
   double bytes_per_particle = 0.0;  ///< of the arrays that grow with the particles
   double particles = 0.0, steps = 0.0, particle_steps_per_s = 0.0, wall_s = 0.0;
 };

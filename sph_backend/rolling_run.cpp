@@ -34,7 +34,7 @@ RollingRun start_run(const RollingCase& setup, unsigned threads) {
   bed.foam = setup.foam;
   bed.spacing = setup.spacing, bed.depth = setup.bed_depth, bed.half_width = setup.bed_half_width;
   bed.outer_wall = setup.outer_wall, bed.hold_bottom = setup.hold_bottom;
-  bed.alpha = setup.alpha, bed.beta = setup.beta, bed.cfl = setup.cfl;
+  bed.alpha = setup.alpha, bed.beta = setup.beta, bed.cfl = setup.cfl, bed.form = setup.form;
   bed.speed = std::max(setup.speed, setup.press_speed), bed.threads = threads;
   const Columns columns = window_columns(setup, 0.0);
   bed.first_column = columns.first - held_columns;

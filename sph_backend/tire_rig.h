@@ -12,6 +12,7 @@
 
 #include "sph_backend/energy.h"
 #include "sph_backend/foam.h"
+#include "sph_backend/pair_kernels.h"
 #include "sph_backend/tire_shape.h"
 
 namespace apc::sph {
@@ -44,6 +45,7 @@ struct RollingCase {
   double release_spin_ratio = 1.0 / 3.0;  ///< ω R/v when the spin is released
   double alpha = 0.1, beta = 2.0;         ///< artificial viscosity
   double cfl = 0.35;
+  PairForm form = PairForm::mass;
   double tire_overload = 0.8;  ///< share of the bottoming load (and the deflection there) above which a run is refused
 
   double residual_limit = 0.03;  ///< energy account more open than this: the run is called unstable

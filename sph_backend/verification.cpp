@@ -33,7 +33,7 @@ void verify_press(Verification& v, const StudyOptions& options) {
   PressCase c;
   c.foam = foam_of(options);
   c.width = c.length = 12.0 * in, c.depth = 24.0 * in, c.spacing = v.spacing;
-  c.alpha = options.alpha, c.cfl = options.cfl, c.threads = options.threads;
+  c.alpha = options.alpha, c.cfl = options.cfl, c.form = options.form, c.threads = options.threads;
   if (punch) {
     c.punch_half_width = 8.25 * in, c.width = 24.0 * in, c.strain_end = 16.0 / 24.0;
     c.length = v.method == Method::fem ? v.spacing : 4.0 * v.spacing;  // plane strain: a slab as thin as may be
@@ -52,6 +52,7 @@ void verify_press(Verification& v, const StudyOptions& options) {
     v.assumptions = {"pressed at 100 in/s after a smooth start over 5 % of strain",
                      "RMS over strains from 5 to 85 %, relative to the exact work at 85 %"};
   }
+  if (options.form == PairForm::volume) v.assumptions.push_back("volume form of the pair sums");
   v.energy = {{"foam, internal", r.internal / work},
               {"foam, kinetic", r.kinetic / work},
               {"artificial viscosity", r.viscous / work},
@@ -60,7 +61,8 @@ void verify_press(Verification& v, const StudyOptions& options) {
               {"contact radius", r.radius / work}};
   if (v.method == Method::fem) v.energy.push_back({"hourglass control", r.hourglass / work});
   v.hourglass_share = r.hourglass / r.internal;
-  v.energy_residual = r.residual, v.viscous_share = r.viscous / work, v.compaction = r.compaction;
+  v.energy_residual = r.residual, v.viscous_share = r.viscous / work, v.compaction = r.compaction,
+  v.partition = r.partition;
   v.bytes_per_particle = r.bytes_per_particle;
   v.particles = r.particles, v.steps = r.steps, v.particle_steps_per_s = r.particle_steps_per_s, v.wall_s = r.wall_s;
 }
@@ -71,13 +73,14 @@ RollingCase published_case(const Verification& v, const StudyOptions& options) {
     c = options.deck;
     c.spacing = v.spacing, c.load_tolerance = 0.01, c.spin_tolerance = 0.005;
     if (options.friction >= 0.0) c.friction = options.friction;
+    c.form = options.form;
     return c;
   }
   c.foam = foam_of(options);
   c.tire = {"H44.5x16.5-21", 44.5 * in, 16.5 * in,   21.0 * in, 214.0 * psi,
             44700.0 * lbf,   3.5 * in,  121e3 * lbf, 8.5 * in};
   c.bed_depth = 24.0 * in, c.penetration = 16.0 * in, c.speed = 1418.0 * in, c.spacing = v.spacing;
-  c.alpha = options.alpha, c.cfl = options.cfl;
+  c.alpha = options.alpha, c.cfl = options.cfl, c.form = options.form;
   c.load_tolerance = 0.01, c.spin_tolerance = 0.005;
   c.rigid_roller = v.study == Study::roller_2d;
   c.friction = options.friction >= 0.0 ? options.friction : c.rigid_roller ? 0.0 : 0.3;
@@ -89,18 +92,21 @@ RollingCase published_case(const Verification& v, const StudyOptions& options) {
 
 std::vector<std::string> assumptions_of(const RollingCase& c) {
   const double radius = 0.5 * c.tire.diameter;
-  return {concat("friction ", c.friction),
-          c.spin == WheelSpin::free     ? "free-spinning"
-          : c.spin == WheelSpin::driven ? "spin held at v/R"
-                                        : "locked wheel",
-          c.entry > 0.0 ? concat("rolled in at full speed over ", c.entry / in, " in")
-                        : std::string("pressed in at rest, then accelerated"),
-          concat("means over two windows of ", radius / in, " in after settling within ", 100 * c.load_tolerance, " %"),
-          concat("tension cutoff ", c.foam.tension_cutoff / psi, " psi"),
-          c.hold_bottom ? "lowest layer held" : "floor that slips",
-          c.rigid_roller ? "plane strain"
-          : c.outer_wall ? "mirror plane outside"
-                         : "free outer face"};
+  std::vector<std::string> out{
+      concat("friction ", c.friction),
+      c.spin == WheelSpin::free     ? "free-spinning"
+      : c.spin == WheelSpin::driven ? "spin held at v/R"
+                                    : "locked wheel",
+      c.entry > 0.0 ? concat("rolled in at full speed over ", c.entry / in, " in")
+                    : std::string("pressed in at rest, then accelerated"),
+      concat("means over two windows of ", radius / in, " in after settling within ", 100 * c.load_tolerance, " %"),
+      concat("tension cutoff ", c.foam.tension_cutoff / psi, " psi"),
+      c.hold_bottom ? "lowest layer held" : "floor that slips",
+      c.rigid_roller ? "plane strain"
+      : c.outer_wall ? "mirror plane outside"
+                     : "free outer face"};
+  if (c.form == PairForm::volume) out.push_back("volume form of the pair sums");
+  return out;
 }
 
 /// Loads of the modelled part: the roller's per width, the tire's of the modelled half.

@@ -19,6 +19,7 @@
 #include "sph_backend/convergence.h"
 #include "sph_backend/energy.h"
 #include "sph_backend/fem/fem_press.h"
+#include "sph_backend/pair_kernels.h"
 #include "sph_backend/published_study.h"
 #include "sph_backend/tire_rig.h"
 
@@ -39,6 +40,7 @@ struct StudyOptions {
   bool outer_wall = true;        ///< of the tire's bed
   bool hold_bottom = true;       ///< of tire and roller
   double tension_cutoff = -1.0;  ///< Pa; negative: 10 psi (the study gives 1 to 50)
+  PairForm form = PairForm::mass;
   double alpha = 0.1;
   double cfl = 0.25;
   unsigned threads = 1;

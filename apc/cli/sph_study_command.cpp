@@ -18,7 +18,8 @@ namespace apc::cli {
 namespace {
 
 struct StudyWords {
-  std::string study, spacing, sizes, method, spin = "free", entry, elements = "one_point", hourglass = "stiffness";
+  std::string study, spacing, sizes, method, form = "mass", spin = "free", entry, elements = "one_point",
+                                             hourglass = "stiffness";
   std::filesystem::path checkpoints;
   double friction = -1.0, hourglass_factor = 0.05;
   bool span = false, quick = false;
@@ -53,6 +54,8 @@ sph::StudyOptions options_of(const StudyWords& words, Progress* line) {
     options.deck = read_deck(words.study).rig;
   }
   options.friction = words.friction;
+  options.form =
+      choice<sph::PairForm>("--form", words.form, {{"mass", sph::PairForm::mass}, {"volume", sph::PairForm::volume}});
   options.spin = choice<sph::WheelSpin>(
       "--spin", words.spin,
       {{"free", sph::WheelSpin::free}, {"driven", sph::WheelSpin::driven}, {"locked", sph::WheelSpin::locked}});
@@ -177,6 +180,9 @@ void add_sph_studies(CLI::App& sph, Settings& settings) {
         ->type_name("");
     words.method = method;
     command.add_option("--method", words.method, "sph, fem or both")->capture_default_str();
+    command
+        .add_option("--form", words.form, "pair sums of the particles: mass, or volume for comparison (decisions.md)")
+        ->capture_default_str();
     command.add_option("--friction", words.friction, "of tire on foam (default 0 roller, 0.3 tire)");
     command.add_option("--spin", words.spin, "free, driven (at v/R) or locked")->capture_default_str();
     command.add_option("--entry", words.entry, "roll in at full speed over this way (default: pressed in)")

@@ -88,8 +88,15 @@ TEST(FoamBed, RigidRotationLeavesStressAndDensityAlone) {
   }
 }
 
-TEST(FoamBed, MomentumIsConservedByThePairForces) {
-  Bed bed = make_bed(free_block(9, 7, 8));
+/// Mass form and volume form of the pair sums.
+class FoamBedForm : public ::testing::TestWithParam<PairForm> {};
+INSTANTIATE_TEST_SUITE_P(Forms, FoamBedForm, ::testing::Values(PairForm::mass, PairForm::volume),
+                         [](const auto& form) { return form.param == PairForm::mass ? "Mass" : "Volume"; });
+
+TEST_P(FoamBedForm, MomentumIsConservedByThePairForces) {
+  BedSpec spec = free_block(9, 7, 8);
+  spec.form = GetParam();
+  Bed bed = make_bed(spec);
   bed.spec.alpha = 0.5, bed.spec.beta = 2.0;
   set_velocity(bed, [](double x, double y, double z, double& vx, double& vy, double& vz) {
     vx = 3.0 * std::sin(40.0 * y), vy = 2.0 * std::cos(35.0 * z), vz = 4.0 * std::sin(50.0 * x);
@@ -106,8 +113,10 @@ TEST(FoamBed, MomentumIsConservedByThePairForces) {
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(momentum(a), before[a], 1e-6 * scale);
 }
 
-TEST(FoamBed, EnergyAccountClosesWhileABlockRings) {
-  Bed bed = make_bed(free_block(10, 6, 6));
+TEST_P(FoamBedForm, EnergyAccountClosesWhileABlockRings) {
+  BedSpec spec = free_block(10, 6, 6);
+  spec.form = GetParam();
+  Bed bed = make_bed(spec);
   const double middle = 5.0 * units::in;
   set_velocity(bed, [&](double x, double, double, double& vx, double&, double&) { vx = -2.0 * (x - middle) / middle; });
   kick(bed);

@@ -148,6 +148,10 @@ TEST(PairKernels, CountedStepIsTheSumOfItsPairs) {
   // Geometry 3 + 5 + 1 + 5 + 4, twice; gradient 6 + 18; force 8 + 1 + 6 + 5 + 3 + 3 + 9 + 18. The law adds to that.
   EXPECT_GT(count.operations / count.pairs, 2 * 18 + 24 + 53);
   EXPECT_LT(count.operations / count.pairs, 2 * 18 + 24 + 53 + 8);
+
+  BedSpec volume = testing::free_block(8, 8, 8);
+  volume.form = PairForm::volume;
+  EXPECT_NEAR((count_step(make_bed(volume)).operations - count.operations) / count.pairs, 8.0, 0.1);
 }
 
 }  // namespace

@@ -151,6 +151,18 @@ TEST(SlowTire, MeasuredResultsAreOfThisCodeAndNearThePaper) {
   for (const auto& run : kept.at("runs")) EXPECT_LT(std::abs(run.at("energy_residual").get<double>()), 0.015);
 }
 
+/// Why the pair sums are of the mass form: with the other one foam under the wheel has more volume than room.
+TEST(SlowTire, VolumesOfTheVolumeFormDriftUnderTheWheel) {
+  StudyOptions options;
+  options.form = PairForm::volume;
+  const Verification volume = verify(Study::tire_3d, 2.0 * in, options);
+  EXPECT_LT(std::abs(volume.energy_residual), 0.005);  // and its account does not tell
+  EXPECT_LT(volume.partition, 0.95);
+  const auto kept = nlohmann::json::parse(std::ifstream(PROJECT_DIR "/apc/doc/measured/tire_3d_volume_form.json"));
+  EXPECT_NEAR(kept.at("runs").at(1).at("partition").get<double>(), volume.partition, 0.01);
+  EXPECT_NEAR(kept.at("runs").at(1).at("vertical").get<double>() / volume.quantities[0].value, 1.0, 0.01);
+}
+
 TEST(SlowTire, WindowDoesNotDecideTheLoads) {
   RollingCase c = small_tire();
   c.load_tolerance = 0.005, c.spin_tolerance = 0.005;
