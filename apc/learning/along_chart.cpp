@@ -109,6 +109,11 @@ std::string map(const Study& study, double reach) {
           "</title></rect>",
           66.0 + 640.0 * from / reach, y, 640.0 * std::min(bin, reach - from) / reach + 0.4,
           colour(sum / count / units::g0), from, sum / count / units::g0);
+      // A sign, for print and eyes that see no colour.
+      if (std::abs(sum / count / units::g0) > 0.03)
+        svg += fmt::format("<text x='{:.1f}' y='{:.0f}' text-anchor='middle' style='fill:#111'>{}</text>",
+                           66.0 + 640.0 * (from + 0.5 * std::min(bin, reach - from)) / reach, y + 14.0,
+                           sum > 0.0 ? "+" : "−");
     }
   }
   return svg + fmt::format(
@@ -124,10 +129,9 @@ std::string along_charts(const Study& study) {
   double reach = 10.0;
   for (const AlongRun& a : study.along->runs) reach = std::max(reach, a.motion.place.back());
   std::string html =
-      "<h2>Force at every place</h2><p>At the surveyed ruts the load tables say what each wheel took. Blue: resistance "
-      "the "
-      "tables lack, red: too much, full colour at 10 % of the weight; the accelerometer's reading before the bed is "
-      "taken off.</p>" +
+      "<h2>Force at every place</h2><p>At the surveyed ruts the load tables say what each wheel took. Blue and +: "
+      "resistance the tables lack, red and −: too much, full colour at 10 % of the weight, signs from 3 %; the "
+      "accelerometer's reading before the bed is taken off.</p>" +
       map(study, reach) +
       "<p>Dots: measured acceleration. Line: the tables at the surveyed ruts, nothing fitted. Dashed: with the effects "
       "the diagnosis would add.</p>";

@@ -6,6 +6,8 @@
 
 #include "apc/base/markup.h"
 #include "apc/learning/along_chart.h"
+#include "apc/learning/evidence_chart.h"
+#include "apc/learning/missing_force.h"
 #include "apc/learning/next_chart.h"
 #include "apc/learning/page_start.h"
 
@@ -87,12 +89,30 @@ std::string strip(const Background& b) {
                 blue = static_cast<int>(v > 0 ? 230 : 230 * (1 + v)), green = static_cast<int>(230 * (1 - std::abs(v)));
       svg += format("<rect x='%.1f' y='%d' width='%.1f' height='20' fill='rgb(%d,%d,%d)'/>", x,
                     static_cast<int>(24 * r + 4), 640.0 * b.layout.spacing / reach + 0.5, red, green, blue);
+      if (std::abs(v) > 0.32)  // a sign, for print and eyes that see no colour
+        svg += format("<text x='%.1f' y='%d' text-anchor='middle' style='fill:#111'>%s</text>",
+                      x + 320.0 * b.layout.spacing / reach, static_cast<int>(24 * r + 18), v > 0.0 ? "+" : "−");
     }
   }
   svg += format(
       "<text x='66' y='%d'>0 m</text><text x='706' y='%d' text-anchor='end'>%.0f m from the leading edge</text></svg>",
       static_cast<int>(24 * b.training + 22), static_cast<int>(24 * b.training + 22), reach);
   return svg;
+}
+
+/// Smallest detectable amplitudes in the units of their effects.
+std::string detectable(const Study& study) {
+  std::string html = "<p>";
+  for (const auto& [name, value] : study.diagnosis.smallest_detectable) {
+    const std::string id = name.substr(0, name.find('.'));
+    std::string unit;
+    for (const Hypothesis& h : study.screen.hypotheses)
+      if (h.id == id && !h.applied.effect.parameters.empty()) unit = h.applied.effect.parameters.front().unit;
+    html += (html.size() > 3 ? "; " : "") + escaped(name) +
+            format(" %.3g", unit.empty() ? value : value / parse_unit(unit).factor) + (unit.empty() ? "" : " ") +
+            escaped(unit);
+  }
+  return html + ".</p>";
 }
 
 }  // namespace
@@ -114,25 +134,30 @@ std::string learn_page(const Study& study, const NextPlan* next) {
     page += "<div class='wide'><table><tr><th>effect<th>probability<th>family-wise p<th>size (SI)<th>law</tr>";
     for (const Claim& c : d.claims) {
       const double deviation = c.deviation.empty() ? std::nan("") : c.deviation.front();
-      page += "<tr><td>" + escaped(c.id) +
+      page += "<tr><td style='white-space:nowrap'>" + escaped(c.id) +
               format("<td>%.2f<td>%.4f<td>%.4g ± %.2g<td>", c.probability, c.p_family_wise, c.applied.values.front(),
                      deviation) +
               escaped(c.applied.effect.law) + "</tr>";
     }
     page += "</table></div>";
   }
+  const std::string intervals = parameter_intervals(study);
+  if (!intervals.empty()) page += "<h2>How well the amplitudes are known</h2>" + intervals;
   page += "<h2>Cannot be told apart</h2>";
   if (d.rivals.empty()) page += "<p>No two leading effects look alike in these runs.</p>";
   for (const Rival& r : d.rivals)
     page += "<p>" + escaped(r.a) + " | " + escaped(r.b) +
             format(": correlation %+.2f, %.1f deviations apart</p>", r.correlation, r.separability);
+  page += confusion_matrix(study);
   if (next) page += "<h2>Which run next</h2>" + next_section(*next);
-  page += "<h2>Not missing above</h2><p>Smallest amplitude seen with 90 % power (SI):";
-  for (const auto& [name, value] : d.smallest_detectable) page += " " + escaped(name) + format(" %.3g;", value);
+  page += "<h2>Not missing above</h2><p>Smallest amplitude that would have been seen with 90 % power.</p>" +
+          detectable(study);
   page +=
-      "</p><h2>Where it fails</h2><p>Strength of the bed the fit needed under the main gear: red softer, blue harder "
-      "by up to 25 %.</p>" +
-      strip(b) + along_charts(study);
+      "<h2>Where it fails</h2><p>Strength of the bed the fit needed under the main gear: red and − softer, blue and + "
+      "harder, full colour at 25 %, signs from 8 %.</p>" +
+      strip(b) + along_charts(study) + missing_force_charts(study);
+  const std::string proof = before_and_after(study);
+  if (!proof.empty()) page += "<h2>Before and after</h2>" + proof;
   page +=
       "<h2>Measured and fitted</h2><p>Dots measured, line the model with its background fitted, led along the measured "
       "speed.</p>";
