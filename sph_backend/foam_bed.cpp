@@ -71,7 +71,7 @@ void renew_neighbours(Bed& bed) {
   Neighbours& n = bed.neighbours;
   n.grid.origin[0] = bed.spec.first_column * bed.spec.spacing;
   const double rear = bed.spec.mirror_ends || bed.spec.free_body ? -1e30 : n.grid.origin[0];
-  bed.alive = sort_particles(bed.particles, n.grid, rear, *bed.team);
+  bed.alive = sort_particles(bed.particles, n, rear, *bed.team);
   n.records.resize(bed.particles.size() * record::size);
   bed.team->run(static_cast<int>(bed.particles.size()), piece, [&](int first, int last) {
     fill_records(bed, first, last);

@@ -23,8 +23,8 @@ struct Image {
   float shift[3];
 };
 
-/// Images of `count` records (and of images of earlier planes) within `range` of each plane; positions are relative to
-/// `origin`. Skips empty lanes.
+/// Images of `count` records (and of images of earlier planes) within `range` of each plane, in the order of their
+/// parents; positions are relative to `origin`. Skips empty lanes.
 std::vector<Image> make_images(const std::vector<float>& records, const std::vector<std::int32_t>& ids,
                                std::size_t count, const std::vector<MirrorPlane>&, const double origin[3], float range,
                                Team&);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "sph_backend/pair_kernels.h"
 
@@ -31,29 +32,37 @@ struct Cells {
   int count() const { return nx * ny; }
 };
 
-struct Entry {
-  int cell;  ///< negative: left out
-  float z;
-  std::uint32_t index;
-};
-
-/// Entries by cell and height, and where each cell begins. Equal heights by index, so that the result depends on
-/// nothing but the state.
-void sort_entries(std::vector<Entry>& entries, std::vector<std::uint32_t>& cell_first, int cells, Team& team) {
-  cell_first.assign(cells + 1, 0);
-  for (const auto& e : entries)
-    if (e.cell >= 0) ++cell_first[e.cell + 1];
-  std::partial_sum(cell_first.begin(), cell_first.end(), cell_first.begin());
-  std::vector<Entry> sorted(cell_first.back());
-  std::vector<std::uint32_t> place(cell_first.begin(), cell_first.end() - 1);
-  for (const auto& e : entries)
-    if (e.cell >= 0) sorted[place[e.cell]++] = e;
+/// room.entries by cell and height into room.sorted, and where each cell begins. Equal heights by index, so that the
+/// result depends on nothing but the state.
+void sort_entries(RenewalRoom& room, int cells, Team& team) {
+  const int count = static_cast<int>(room.entries.size()), pieces = (count + piece - 1) / piece;
+  room.counts.resize(pieces);
+  team.run(pieces, 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      room.counts[k].assign(cells, 0);
+      for (int i = k * piece; i < std::min((k + 1) * piece, count); ++i)
+        if (room.entries[i].cell >= 0) ++room.counts[k][room.entries[i].cell];
+    }
+  });
+  // Where each piece puts its first entry of each cell.
+  room.cell_first.resize(cells + 1);
+  std::uint32_t next = 0;
+  for (int c = 0; c < cells; ++c) {
+    room.cell_first[c] = next;
+    for (auto& counts : room.counts) next += std::exchange(counts[c], next);
+  }
+  room.cell_first[cells] = next;
+  room.sorted.resize(next);
+  team.run(pieces, 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+      for (int i = k * piece; i < std::min((k + 1) * piece, count); ++i)
+        if (const CellEntry& e = room.entries[i]; e.cell >= 0) room.sorted[room.counts[k][e.cell]++] = e;
+  });
   team.run(cells, 16, [&](int first, int last) {
     for (int c = first; c < last; ++c)
-      std::sort(sorted.begin() + cell_first[c], sorted.begin() + cell_first[c + 1],
-                [](const Entry& a, const Entry& b) { return a.z != b.z ? a.z < b.z : a.index < b.index; });
+      std::sort(room.sorted.begin() + room.cell_first[c], room.sorted.begin() + room.cell_first[c + 1],
+                [](const CellEntry& a, const CellEntry& b) { return a.z != b.z ? a.z < b.z : a.index < b.index; });
   });
-  entries.swap(sorted);
 }
 
 /// A particle on its way into a cluster.
@@ -105,40 +114,31 @@ void cut(Place* first, Place* last, float r) {
   cut(middle, last, r);
 }
 
-/// Sorted entries with all that decides whether they are neighbours.
-struct Sorted {
-  std::vector<std::uint32_t> number, cell_first;
-  std::vector<float> at[3], quarter_inverse_h, reach;
-
-  Candidates view() const {
-    return {{at[0].data(), at[1].data(), at[2].data()}, quarter_inverse_h.data(), reach.data(), number.data()};
-  }
-};
-
-Sorted sort_records(const Neighbours& n, const Particles& particles, const Cells& cells, Team& team) {
+/// Records by cell and height, with all that decides whether they are neighbours.
+void sort_records(Neighbours& n, const Particles& particles, const Cells& cells, Team& team) {
+  RenewalRoom& room = n.room;
   const std::size_t count = particles.size();
-  std::vector<Entry> entries(count + n.images.size());
-  team.run(static_cast<int>(entries.size()), piece, [&](int first, int last) {
+  room.entries.resize(count + n.images.size());
+  team.run(static_cast<int>(room.entries.size()), piece, [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
       const bool empty = static_cast<std::size_t>(i) < count && particles.id[i] < 0;
-      entries[i] = {empty ? -1 : cells.cell(r[record::x], r[record::y]), r[record::z], static_cast<std::uint32_t>(i)};
+      room.entries[i] = {empty ? -1 : cells.cell(r[record::x], r[record::y]), r[record::z],
+                         static_cast<std::uint32_t>(i)};
     }
   });
-  Sorted s;
-  sort_entries(entries, s.cell_first, cells.count(), team);
-  const std::size_t room = entries.size() + whole_vector;
-  s.number.resize(room), s.quarter_inverse_h.resize(room), s.reach.resize(room);
-  for (auto& a : s.at) a.resize(room);
-  team.run(static_cast<int>(entries.size()), piece, [&](int first, int last) {
+  sort_entries(room, cells.count(), team);
+  const std::size_t size = room.sorted.size() + whole_vector;
+  room.number.resize(size), room.quarter_inverse_h.resize(size), room.reach.resize(size);
+  for (auto& a : room.at) a.resize(size);
+  team.run(static_cast<int>(room.sorted.size()), piece, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
-      const std::uint32_t i = entries[k].index;
+      const std::uint32_t i = room.sorted[k].index;
       const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
-      s.number[k] = i, s.reach[k] = n.reach[i], s.quarter_inverse_h[k] = r[record::quarter_inverse_h];
-      for (int a = 0; a < 3; ++a) s.at[a][k] = r[record::x + a];
+      room.number[k] = i, room.reach[k] = n.reach[i], room.quarter_inverse_h[k] = r[record::quarter_inverse_h];
+      for (int a = 0; a < 3; ++a) room.at[a][k] = r[record::x + a];
     }
   });
-  return s;
 }
 
 Box box_of(const Neighbours& n, const Particles& particles, int cluster) {
@@ -155,10 +155,11 @@ Box box_of(const Neighbours& n, const Particles& particles, int cluster) {
 }
 
 /// Appends the neighbours of the box to `out`.
-void find_neighbours(const Box& box, float around, const Cells& cells, const Sorted& s,
+void find_neighbours(const Box& box, float around, const Cells& cells, const RenewalRoom& s,
                      std::vector<std::uint32_t>& out) {
   const auto& kernels = pair_kernels();
-  const Candidates candidates = s.view();
+  const Candidates candidates{
+      {s.at[0].data(), s.at[1].data(), s.at[2].data()}, s.quarter_inverse_h.data(), s.reach.data(), s.number.data()};
   const int x0 = cells.column(box.low[0] - around), x1 = cells.column(box.high[0] + around);
   const int y0 = cells.row(box.low[1] - around), y1 = cells.row(box.high[1] + around);
   for (int ix = x0; ix <= x1; ++ix)
@@ -176,73 +177,91 @@ void find_neighbours(const Box& box, float around, const Cells& cells, const Sor
 }
 
 /// How far each particle may travel before the list is renewed: some steps at its present speed and a little more.
-void set_reach(Neighbours& n, const Particles& particles, Team& team) {
-  const std::size_t count = particles.size();
+/// Returns the longest.
+float set_reach(Neighbours& n, const Particles& particles, Team& team) {
+  const int count = static_cast<int>(particles.size());
   const float spacing = static_cast<float>(n.grid.spacing), dt = static_cast<float>(n.grid.dt);
-  n.reach.resize(count), n.built_at.resize(3 * count);
-  team.run(static_cast<int>(count), piece, [&](int first, int last) {
-    for (int i = first; i < last; ++i) {
-      const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
-      const float speed =
-          std::sqrt(r[record::vx] * r[record::vx] + r[record::vy] * r[record::vy] + r[record::vz] * r[record::vz]);
-      n.reach[i] = particles.hold[i] == hold_all ? 0.0f : std::min(0.02f * spacing + 9.0f * dt * speed, 0.6f * spacing);
-      for (int a = 0; a < 3; ++a) n.built_at[3 * i + a] = r[record::x + a];
-    }
+  n.reach.resize(count), n.built_at.resize(3 * particles.size());
+  std::vector<float> longest((count + piece - 1) / piece, 0.0f);
+  team.run(static_cast<int>(longest.size()), 1, [&](int from, int to) {
+    for (int k = from; k < to; ++k)
+      for (int i = k * piece; i < std::min((k + 1) * piece, count); ++i) {
+        const float* r = &n.records[static_cast<std::size_t>(i) * record::size];
+        const float speed =
+            std::sqrt(r[record::vx] * r[record::vx] + r[record::vy] * r[record::vy] + r[record::vz] * r[record::vz]);
+        n.reach[i] =
+            particles.hold[i] == hold_all ? 0.0f : std::min(0.02f * spacing + 9.0f * dt * speed, 0.6f * spacing);
+        longest[k] = std::max(longest[k], n.reach[i]);
+        for (int a = 0; a < 3; ++a) n.built_at[3 * i + a] = r[record::x + a];
+      }
   });
+  return *std::max_element(longest.begin(), longest.end());
 }
+
+/// The room for sorted values of a type.
+auto& sorted_room(RenewalRoom& room, const std::vector<double>&) { return room.doubles; }
+auto& sorted_room(RenewalRoom& room, const std::vector<float>&) { return room.floats; }
+auto& sorted_room(RenewalRoom& room, const std::vector<std::int32_t>&) { return room.integers; }
+auto& sorted_room(RenewalRoom& room, const std::vector<std::uint8_t>&) { return room.bytes; }
 
 }  // namespace
 
-int sort_particles(Particles& particles, const NeighbourGrid& grid, double rear, Team& team) {
+int sort_particles(Particles& particles, Neighbours& n, double rear, Team& team) {
+  const NeighbourGrid& grid = n.grid;
+  RenewalRoom& room = n.room;
   const Cells cells(grid);
-  std::vector<Entry> entries(particles.size());
-  team.run(static_cast<int>(entries.size()), piece, [&](int first, int last) {
+  room.entries.resize(particles.size());
+  team.run(static_cast<int>(room.entries.size()), piece, [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const bool gone = particles.id[i] < 0 || particles.x[i] < rear;
-      entries[i] = {gone ? -1
-                         : cells.cell(static_cast<float>(particles.x[i] - grid.origin[0]),
-                                      static_cast<float>(particles.y[i] - grid.origin[1])),
-                    static_cast<float>(particles.z[i] - grid.origin[2]), static_cast<std::uint32_t>(i)};
+      room.entries[i] = {gone ? -1
+                              : cells.cell(static_cast<float>(particles.x[i] - grid.origin[0]),
+                                           static_cast<float>(particles.y[i] - grid.origin[1])),
+                         static_cast<float>(particles.z[i] - grid.origin[2]), static_cast<std::uint32_t>(i)};
     }
   });
-  std::vector<std::uint32_t> cell_first;
-  sort_entries(entries, cell_first, cells.count(), team);
+  sort_entries(room, cells.count(), team);
 
   constexpr std::uint32_t empty = 0xffffffffu;
-  std::vector<std::uint32_t> first(cells.count() + 1, 0);  // of the cells in the order to come
+  const auto& cell_first = room.cell_first;
+  auto& first_of = room.order_first;  // of the cells in the order to come
+  first_of.assign(cells.count() + 1, 0);
   for (int c = 0; c < cells.count(); ++c)
-    first[c + 1] = first[c] + (cell_first[c + 1] - cell_first[c] + lanes - 1) / lanes * lanes;
-  std::vector<std::uint32_t> order((first.back() + whole_vector - 1) / whole_vector * whole_vector, empty);
+    first_of[c + 1] = first_of[c] + (cell_first[c + 1] - cell_first[c] + lanes - 1) / lanes * lanes;
+  auto& order = room.order;
+  order.assign((first_of.back() + whole_vector - 1) / whole_vector * whole_vector, empty);
   team.run(cells.count(), 16, [&](int from, int to) {
     std::vector<Place> places;
     for (int c = from; c < to; ++c) {
       places.clear();
       for (std::uint32_t k = cell_first[c]; k < cell_first[c + 1]; ++k) {
-        const std::uint32_t i = entries[k].index;
+        const std::uint32_t i = room.sorted[k].index;
         places.push_back({{static_cast<float>(particles.x[i] - grid.origin[0]),
-                           static_cast<float>(particles.y[i] - grid.origin[1]), entries[k].z},
+                           static_cast<float>(particles.y[i] - grid.origin[1]), room.sorted[k].z},
                           i});
       }
       cut(places.data(), places.data() + places.size(), static_cast<float>(grid.support));
-      for (std::size_t k = 0; k < places.size(); ++k) order[first[c] + k] = places[k].index;
+      for (std::size_t k = 0; k < places.size(); ++k) order[first_of[c] + k] = places[k].index;
     }
   });
   const int count = static_cast<int>(order.size());
   for_each_field(particles, [&](auto& field) {
-    using Value = typename std::decay_t<decltype(field)>::value_type;
-    std::vector<Value> sorted(order.size());
+    auto& sorted = sorted_room(room, field);
+    sorted.resize(order.size());
     team.run(count, piece, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) sorted[i] = order[i] == empty ? Value{} : field[order[i]];
+      for (int i = begin; i < end; ++i) sorted[i] = order[i] == empty ? 0 : field[order[i]];
     });
     field.swap(sorted);
   });
-  for (int i = 0; i < count; ++i) {
-    if (order[i] != empty) continue;
-    particles.id[i] = -1, particles.stretch[i] = 1.0f;
-    particles.hold[i] = hold_all;
-    particles.x[i] = particles.y[i] = particles.z[i] = far_away;
-  }
-  return static_cast<int>(entries.size());
+  team.run(count, piece, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      if (order[i] != empty) continue;
+      particles.id[i] = -1, particles.stretch[i] = 1.0f;
+      particles.hold[i] = hold_all;
+      particles.x[i] = particles.y[i] = particles.z[i] = far_away;
+    }
+  });
+  return static_cast<int>(room.sorted.size());
 }
 
 void add_records(Neighbours& n, std::size_t particles) {
@@ -258,29 +277,32 @@ void build_lists(Neighbours& n, const Particles& particles, Team& team) {
   const Cells cells(n.grid);
   const std::size_t count = particles.size();
   n.clusters = static_cast<int>(count / lanes);
-  set_reach(n, particles, team);
-  const float longest = *std::max_element(n.reach.begin(), n.reach.end());
+  const float longest = set_reach(n, particles, team);
   const float support = static_cast<float>(n.grid.support);
   n.images = make_images(n.records, particles.id, count, n.grid.planes, n.grid.origin, support + 2.0f * longest, team);
   add_records(n, count);
   refresh_motion(n.records, count, n.images, team);
   refresh_stress(n.records, count, n.images, team);
-  for (const auto& image : n.images) n.reach.push_back(n.reach[image.parent]);
+  n.reach.resize(count + n.images.size());
+  team.run(static_cast<int>(n.images.size()), piece, [&](int first, int last) {
+    for (int k = first; k < last; ++k) n.reach[count + k] = n.reach[n.images[k].parent];
+  });
 
-  const Sorted sorted = sort_records(n, particles, cells, team);
+  sort_records(n, particles, cells, team);
   constexpr int together = 32;  // clusters of one piece
   const auto nothing = static_cast<std::uint32_t>(count + n.images.size());
-  std::vector<std::vector<std::uint32_t>> lists((n.clusters + together - 1) / together);
+  auto& lists = n.room.lists;
+  lists.resize((n.clusters + together - 1) / together);
   n.first.assign(n.clusters + 1, 0);
   team.run(n.clusters, together, [&](int from, int to) {
     for (int begin = from; begin < to; begin += together) {  // one thread alone is given all at once
       auto& list = lists[begin / together];
-      list.reserve(together * 200);
+      list.clear();
       for (int c = begin; c < std::min(begin + together, to); ++c) {
         const std::size_t before = list.size();
         Box box = box_of(n, particles, c);
         box.support = 1.0001f * support;
-        if (box.high[0] >= box.low[0]) find_neighbours(box, box.support + box.reach + longest, cells, sorted, list);
+        if (box.high[0] >= box.low[0]) find_neighbours(box, box.support + box.reach + longest, cells, n.room, list);
         if (list.size() % 2 == 1) list.push_back(nothing);
         n.first[c + 1] = static_cast<std::uint32_t>(list.size() - before);
       }

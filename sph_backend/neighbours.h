@@ -25,6 +25,25 @@ struct NeighbourGrid {
   std::vector<MirrorPlane> planes;
 };
 
+/// A particle or record on its way into its cell.
+struct CellEntry {
+  int cell;  ///< negative: left out
+  float z;
+  std::uint32_t index;
+};
+
+/// Room that every renewal needs again.
+struct RenewalRoom {
+  std::vector<CellEntry> entries, sorted;
+  std::vector<std::uint32_t> cell_first, order_first, order, number;
+  std::vector<float> at[3], quarter_inverse_h, reach;  ///< of the sorted records
+  std::vector<std::vector<std::uint32_t>> counts, lists;
+  std::vector<double> doubles;
+  std::vector<float> floats;
+  std::vector<std::int32_t> integers;
+  std::vector<std::uint8_t> bytes;
+};
+
 struct Neighbours {
   NeighbourGrid grid;
   int clusters = 0;
@@ -34,10 +53,11 @@ struct Neighbours {
   std::vector<float> reach;                       ///< per record
   std::vector<float> built_at;                    ///< positions at renewal, 3 per particle
   std::vector<double> internal, viscous, damped;  ///< per cluster, of this step
+  RenewalRoom room;
 };
 
 /// Puts the particles into cluster order, dropping empty lanes and particles behind x = `rear`; returns how many stay.
-int sort_particles(Particles&, const NeighbourGrid&, double rear, Team&);
+int sort_particles(Particles&, Neighbours&, double rear, Team&);
 /// Images and lists for sorted particles whose records are filled in.
 void build_lists(Neighbours&, const Particles&, Team&);
 /// Room for the records of the images and of nothing behind those of `particles`.

@@ -1,5 +1,8 @@
 /// A few threads that stay alive between the many short loops of a step. Work is cut into fixed pieces; which thread
 /// takes a piece does not matter because no piece writes what another reads: same bits for any number of threads.
+///
+/// Every thread begins with its own share of the pieces, the same part of the whole in every loop, so that what it
+/// wrote in one loop is still in its cache in the next; then it helps the others.
 #pragma once
 
 #include <atomic>
@@ -22,17 +25,23 @@ class Team {
   double sum(int count, int piece, const std::function<double(int, int)>& work);
 
  private:
-  void drain();
+  /// Pieces [next, end) that nobody has taken; on a cache line of its own, like what all threads look at below.
+  struct alignas(64) Share {
+    std::atomic<int> next{0};
+    int end = 0;
+  };
 
-  std::vector<std::jthread> workers_;
+  void live(int self);
+  void drain(int self);
+
+  std::vector<Share> shares_;  ///< one per thread, the caller's first
   const std::function<void(int, int)>* work_ = nullptr;
   int count_ = 0, piece_ = 1;
   std::vector<double> parts_;
-  // Each on a cache line of its own: all are written while all threads look at them.
-  alignas(64) std::atomic<int> next_{0};
-  alignas(64) std::atomic<int> busy_{0};
+  alignas(64) std::atomic<int> gate_;  ///< workers inside, and a flag while it is closed
   alignas(64) std::atomic<unsigned> round_{0};
   std::atomic<bool> leave_{false};
+  std::vector<std::jthread> workers_;  // last: they end before what they use
 };
 
 }  // namespace apc::sph

@@ -151,7 +151,7 @@ TEST(SlowTire, MeasuredResultsAreOfThisCodeAndNearThePaper) {
   for (const auto& run : kept.at("runs")) EXPECT_LT(std::abs(run.at("energy_residual").get<double>()), 0.015);
 }
 
-/// Why the pair sums are of the mass form: with the other one foam under the wheel has more volume than room.
+/// Why the pair sums are of the mass form: with the other one foam under the wheel fills less and less of its room.
 TEST(SlowTire, VolumesOfTheVolumeFormDriftUnderTheWheel) {
   StudyOptions options;
   options.form = PairForm::volume;
