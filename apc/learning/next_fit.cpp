@@ -90,9 +90,10 @@ void differentiate(const Field& f, std::size_t r, const Eigen::VectorXd& eta, co
 }
 
 Eigen::VectorXd by_amplitude(const Field& f, std::size_t r, const Segments& s, const Eigen::VectorXd& value,
-                             const Eigen::VectorXd& eta, std::vector<Applied> effects, std::size_t which) {
+                             const Eigen::VectorXd& eta, std::vector<Applied> effects, std::size_t which,
+                             double share) {
   const effects::Parameter& p = effects[which].effect.parameters.front();
-  const double side = p.usual < p.neutral ? -1.0 : 1.0, size = 0.3 * std::abs(p.usual - p.neutral);
+  const double side = p.usual < p.neutral ? -1.0 : 1.0, size = share * std::abs(p.usual - p.neutral);
   double& amplitude = effects[which].values.front();
   const double here = amplitude;
   for (const double step : {side * size, -side * size}) {
@@ -241,7 +242,8 @@ Fitted fit(const Field& f, const Training& t, const std::vector<Applied>& effect
     parallel_for(t.runs.size(), threads, [&](std::size_t r) {
       std::vector<Eigen::VectorXd> amplitudes;
       for (std::size_t k = 0; k < effects.size(); ++k)
-        amplitudes.push_back(by_amplitude(f, r, t.runs[r].segments, seen.value[r], c.eta, c.effects, k));
+        amplitudes.push_back(
+            by_amplitude(f, r, t.runs[r].segments, seen.value[r], c.eta, c.effects, k, rounds == 1 ? 1.0 : 0.3));
       const Eigen::MatrixXd all = joint_columns(f, t.runs[r], amplitudes);
       J[r] = t.factor[r].matrixL().solve(Eigen::MatrixXd(all(t.kept[r], Eigen::all)));
     });

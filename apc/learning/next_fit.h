@@ -34,9 +34,10 @@ Field field_with(const Case&, const Run& candidate);
 /// Sensitivities of run `r` at `eta` by one-sided differences, half a deviation each. Blocks are left to the noise.
 void differentiate(const Field&, std::size_t r, const Eigen::VectorXd& eta, const std::vector<effects::Applied>&,
                    Numbers&);
-/// How the numbers change with the amplitude of effect `which`.
+/// How the numbers change with the amplitude of effect `which`, by a step of this share of its usual size.
 Eigen::VectorXd by_amplitude(const Field&, std::size_t r, const Segments&, const Eigen::VectorXd& value,
-                             const Eigen::VectorXd& eta, std::vector<effects::Applied>, std::size_t which);
+                             const Eigen::VectorXd& eta, std::vector<effects::Applied>, std::size_t which,
+                             double share = 0.3);
 
 /// Covariance of a run's numbers: instruments, blocks, model, and the unknowns of this run alone.
 Eigen::MatrixXd own_covariance(const Field&, std::size_t r, const Numbers&);
@@ -57,7 +58,8 @@ struct Fitted {
   Contender contender;
   Eigen::MatrixXd covariance;
 };
-/// `rounds` − 1 Gauss–Newton steps; the last round is for the covariance.
+/// `rounds` − 1 Gauss–Newton steps; the last round is for the covariance. With one round, amplitudes count
+/// by what their usual size does.
 Fitted fit(const Field&, const Training&, const std::vector<effects::Applied>&, unsigned threads, int rounds);
 
 /// What one deviation of the amplitudes, taken as the fit leaves them, does to the numbers of run `r`: a column per

@@ -132,7 +132,7 @@ void weigh_candidate(const Case& data, const Field& known, const std::vector<Fit
     std::vector<Applied> effects = u.fitted.contender.effects;
     std::vector<Eigen::VectorXd> amplitudes;
     for (std::size_t k = 0; k < effects.size(); ++k)
-      amplitudes.push_back(by_amplitude(f, r, n.segments, n.value, eta.front(), effects, k));
+      amplitudes.push_back(by_amplitude(f, r, n.segments, n.value, eta.front(), effects, k, 1.0));
     unseen_columns.push_back(joint_columns(f, n, amplitudes));
   }
   for (const SensorSet& set : sets) {
