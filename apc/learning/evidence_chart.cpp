@@ -30,12 +30,12 @@ std::string confusion_matrix(const Study& study) {
   constexpr double left = 140.0, cell = 46.0, high = 24.0;
   const double bottom = 8.0 + high * static_cast<double>(n);
   std::string svg =
-      fmt::format("<svg viewBox='0 0 720 {:.0f}' role='img' aria-label='Which effects look alike'>", bottom + 96.0);
+      fmt::format("<svg viewBox='0 0 720 {:.0f}' role='img' aria-label='Which effects look alike'>", bottom + 110.0);
   for (std::size_t i = 0; i < n; ++i) {
     const double y = 8.0 + high * static_cast<double>(i), x = left + cell * static_cast<double>(i);
     svg += fmt::format("<text x='{:.0f}' y='{:.0f}' text-anchor='end'>{}</text>", left - 6.0, y + 16.0,
                        escaped(singles[i].hypothesis->id));
-    svg += fmt::format("<text transform='translate({:.0f} {:.0f}) rotate(40)'>{}</text>", x + 0.4 * cell, bottom + 14.0,
+    svg += fmt::format("<text transform='translate({:.0f} {:.0f}) rotate(90)'>{}</text>", x + 0.42 * cell, bottom + 8.0,
                        escaped(singles[i].hypothesis->id));
     for (std::size_t k = 0; k < n; ++k) {
       const double rho = std::abs(correlation_of(study.screen.scores, singles[i].hypothesis->candidate.columns.front(),

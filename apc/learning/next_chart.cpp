@@ -104,18 +104,18 @@ std::string next_section(const NextPlan& plan) {
   if (plan.best.empty()) return html;
   const CandidateRun& c = plan.candidates[plan.best.front()];
   html += fmt::format(
-      "<h3>What each would show at {:.0f} kt and {:.1f} t</h3><div class='wide'><table><tr><th>if it is<th>stops "
+      "<h3>What each would show at {:.0f} kt and {:.1f} t</h3><div class='wide'><table "
+      "style='font-size:.8em;min-width:0'><tr><th>if it is<th>stops "
       "at, m<th>peak, g<th>mean, g<th>nose drag peak, kN<th>mean, kN<th>nose rut, mm<th>main rut, mm</tr>",
       c.speed / units::kt, c.mass / 1000.0);
   for (std::size_t i = 0; i < c.expects.size(); ++i) {
     const Expectation& e = c.expects[i];
-    html += fmt::format(
-        "<tr><td style='white-space:nowrap'>{}<td>{}<td>{:.2f}<td>{:.2f}<td>{:.0f}<td>{:.0f}<td>{:.0f}<td>{:.0f}</tr>",
-        escaped(plan.contenders[i].name()),
-        std::isfinite(e.stop) ? number_or_dash(e.stop, 1.0, 1)
-                              : fmt::format("leaves at {:.0f} kt", e.exit_speed / units::kt),
-        e.peak_deceleration / units::g0, e.mean_deceleration / units::g0, e.peak_nose_drag / units::kN,
-        e.mean_nose_drag / units::kN, e.nose_rut / units::mm, e.main_rut / units::mm);
+    html += fmt::format("<tr><td>{}<td>{}<td>{:.2f}<td>{:.2f}<td>{:.0f}<td>{:.0f}<td>{:.0f}<td>{:.0f}</tr>",
+                        escaped(plan.contenders[i].name()),
+                        std::isfinite(e.stop) ? number_or_dash(e.stop, 1.0, 1)
+                                              : fmt::format("leaves at {:.0f} kt", e.exit_speed / units::kt),
+                        e.peak_deceleration / units::g0, e.mean_deceleration / units::g0, e.peak_nose_drag / units::kN,
+                        e.mean_nose_drag / units::kN, e.nose_rut / units::mm, e.main_rut / units::mm);
   }
   return html + "</table></div>";
 }
