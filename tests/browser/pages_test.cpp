@@ -91,6 +91,15 @@ TEST(Page, OfALearningLoop) {
   expect_good_page(folder, "o/report.html", 3);
 }
 
+TEST(Page, OfANextRun) {
+  NEEDS_CHROMIUM;
+  const Folder folder;
+  make(folder, {"next", std::string(PROJECT_DIR) + "/tests/validation/cases/joints", "--rivals",
+                "inertial,slope+debris,nothing", "--speeds", "30:60:10 kt", "--masses", "17:21:2 t", "-o", "next.html",
+                "--quiet"});
+  expect_good_page(folder, "next.html", 1);
+}
+
 /// The test itself: a page with every fault is found at fault.
 TEST(Look, SeesWhatIsWrong) {
   NEEDS_CHROMIUM;
