@@ -17,10 +17,10 @@ int rows(const Bed& bed) { return static_cast<int>(std::lround(bed.half_width / 
 
 void append_column(Bed& bed, int column) {
   Particles& p = bed.particles;
+  std::size_t i = p.size();
+  for_each_field(p, [&](auto& field) { field.resize(field.size() + rows(bed) * layers(bed)); });
   for (int j = 0; j < rows(bed); ++j)
-    for (int k = 0; k < layers(bed); ++k) {
-      const std::size_t i = p.size();
-      for_each_field(p, [i](auto& field) { field.resize(i + 1); });
+    for (int k = 0; k < layers(bed); ++k, ++i) {
       p.x[i] = column_position(bed.spec, column);
       p.y[i] = (j + 0.5) * bed.spec.spacing;
       p.z[i] = (k + 0.5) * bed.layer;
@@ -164,15 +164,19 @@ void move_window(Bed& bed, int first_column, int end_column) {
   const double rear =
       (first_column + bed.spec.held_columns) * bed.spec.spacing;  // by place: a plough carries foam along
   const int first_ahead = end_column - bed.spec.held_columns;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.id[i] < 0) continue;
-    const bool held = !bed.spec.mirror_ends && !bed.spec.free_body && (p.x[i] < rear || p.column[i] >= first_ahead);
-    if (held) {
-      bed.energy.removed += 0.5 * bed.mass * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
-      p.vx[i] = p.vy[i] = p.vz[i] = 0.0;
+  bed.energy.removed += bed.team->sum(static_cast<int>(p.size()), piece, [&](int first, int last) {
+    double removed = 0.0;
+    for (int i = first; i < last; ++i) {
+      if (p.id[i] < 0) continue;
+      const bool held = !bed.spec.mirror_ends && !bed.spec.free_body && (p.x[i] < rear || p.column[i] >= first_ahead);
+      if (held) {
+        removed += 0.5 * bed.mass * (p.vx[i] * p.vx[i] + p.vy[i] * p.vy[i] + p.vz[i] * p.vz[i]);
+        p.vx[i] = p.vy[i] = p.vz[i] = 0.0;
+      }
+      p.hold[i] = held ? std::uint8_t{hold_all} : p.layer_hold[i];
     }
-    p.hold[i] = held ? std::uint8_t{hold_all} : p.layer_hold[i];
-  }
+    return removed;
+  });
   renew_neighbours(bed);
 }
 
@@ -271,6 +275,11 @@ BedState inspect(const Bed& bed) {
   for_each_field(bed.particles, [&](const auto& field) { bytes += sizeof(field[0]) * field.size(); });
   bytes += sizeof(float) * (n.records.size() + n.reach.size() + n.built_at.size() + 3.0 * bed.acceleration[0].size());
   bytes += sizeof(Image) * n.images.size() + sizeof(std::uint32_t) * (n.list.size() + n.first.size());
+  const RenewalRoom& room = n.room;
+  bytes += sizeof(CellEntry) * (room.entries.size() + room.sorted.size()) + 6 * sizeof(float) * room.number.size();
+  bytes += sizeof(double) * room.doubles.size() + sizeof(float) * (room.floats.size() + room.integers.size());
+  bytes += room.bytes.size() + sizeof(std::uint32_t) * room.order.size();
+  for (const auto& list : room.lists) bytes += sizeof(std::uint32_t) * list.size();
   state.bytes_per_particle = bytes / std::max(1, bed.alive);
   return state;
 }

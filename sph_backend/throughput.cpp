@@ -100,10 +100,10 @@ Limits measure_limits(unsigned threads) {
   const int count = static_cast<int>(threads);
   std::vector<std::vector<float>> data(threads);
   std::vector<float> sums(threads, 0.0f);
-  // Work of all threads over the time until the last is done; the best of five.
+  // Work of all threads over the time until the last is done; the best of ten.
   const auto best = [&](double work, const std::function<void(int)>& one) {
     double rate = 0.0;
-    for (int again = 0; again < 5; ++again) {
+    for (int again = 0; again < 10; ++again) {
       const auto begin = Clock::now();
       team.run(count, 1, [&](int first, int last) {
         for (int t = first; t < last; ++t) one(t);
@@ -113,7 +113,7 @@ Limits measure_limits(unsigned threads) {
     return rate;
   };
   Limits limits;
-  const long rounds = 2000000;
+  const long rounds = 10000000;
   const double done = kernels.multiply_add(rounds);
   limits.operations = best(done, [&](int) { kernels.multiply_add(rounds); });
   const auto reading = [&](long floats, int times) {
@@ -122,7 +122,7 @@ Limits measure_limits(unsigned threads) {
       for (int k = 0; k < times; ++k) sums[t] += kernels.read(data[t].data(), floats);
     });
   };
-  limits.near_bytes = reading(64 * 1024, 2000);
+  limits.near_bytes = reading(64 * 1024, 8000);
   limits.far_bytes = reading(16 * 1024 * 1024, 4);
   volatile float keep = sums.front();  // so that the reading is not left out
   (void)keep;
