@@ -15,6 +15,7 @@
 #include "apc/cli/sph_deck.h"
 #include "apc/cli/text_table.h"
 #include "apc/effects/catalogue.h"
+#include "apc/effects/effect_json.h"
 #include "apc/learning/diagnosis_json.h"
 #include "apc/reliability/scatter.h"
 #include "apc/site/site.h"
@@ -66,6 +67,18 @@ std::string check_model(const fs::path& path, report::UnitSystem units) {
                 shown(range.fastest, measure::speed, units));
 }
 
+std::string check_case(const fs::path& path) {
+  const auto data = learning::load_case(path);
+  std::string text = concat(data.title, ", ", data.runs.size(), " runs, ", data.held_out.size(), " to predict");
+  for (const auto& remark : data.remarks) text += concat("; ", remark.run, " ", remark.channel, " ", remark.text);
+  return text;
+}
+
+std::string check_effect(const fs::path& path) {
+  const auto effect = effects::load_own_effect(path);
+  return concat(effect.id, ", ", effect.title, ", ", effect.parameters.size(), " parameters");
+}
+
 std::string check_manifest(const fs::path& path) {
   const auto ask = read_manifest(path);  // version of the program, files unchanged
   return concat("report of ", ask.of.design, "; the files it was made from are unchanged");
@@ -95,6 +108,9 @@ std::string check_json(const fs::path& path, report::UnitSystem units) {
     return concat(schema, ": ", place.name, ", safety area ", shown(place.safety_length, measure::distance, units));
   }
   if (schema == "apc-model/1") return schema + ": " + check_model(path, units);
+  if (schema == "apc-case/1") return schema + ": " + check_case(path);
+  if (schema == "apc-effect/1") return schema + ": " + check_effect(path);
+  require(schema != "apc-run/1", path.string(), ": a run is checked with its aircraft and bed: check its case.json");
   if (schema == "apc-manifest/1") return schema + ": " + check_manifest(path);
   std::vector<std::string> known;
   for (const auto& format : all_formats()) known.push_back(format.schema);

@@ -12,9 +12,9 @@
 namespace apc::cli {
 
 std::vector<FormatNote> all_formats() {
-  return {describe_aircraft(), describe_tire(), describe_bed(),   describe_loads(),
-          describe_material(), describe_sph(),  describe_fleet(), describe_design(),
-          describe_scatter(),  describe_site(), describe_model(), describe_manifest()};
+  return {describe_aircraft(), describe_tire(),     describe_bed(),    describe_loads(),   describe_material(),
+          describe_sph(),      describe_fleet(),    describe_design(), describe_scatter(), describe_site(),
+          describe_model(),    describe_manifest(), describe_case(),   describe_run(),     describe_effect()};
 }
 
 namespace {

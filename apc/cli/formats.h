@@ -34,6 +34,9 @@ FormatNote describe_scatter();
 FormatNote describe_site();
 FormatNote describe_model();
 FormatNote describe_manifest();
+FormatNote describe_case();
+FormatNote describe_run();
+FormatNote describe_effect();
 
 std::vector<FormatNote> all_formats();
 
