@@ -232,10 +232,12 @@ void choose(NextPlan& plan) {
     if (plan.best.size() == 3) break;
     if (!std::all_of(plan.best.begin(), plan.best.end(), [&](std::size_t k) { return far(i, k); })) continue;
     plan.best.push_back(i);
-    // The cheapest instruments that see nine tenths of what all of them see.
+    // The cheapest instruments that bring nine tenths of what all of them do.
     const auto& s = plan.candidates[i].separation;
-    plan.best_set.push_back(static_cast<std::size_t>(
-        std::find_if(s.begin(), s.end(), [&](double x) { return x >= 0.9 * s.back(); }) - s.begin()));
+    const double without = plan.sharpens ? plan.sharpness_now : 0.0,
+                 wanted = std::min(s.back(), without + 0.9 * (s.back() - without));
+    plan.best_set.push_back(
+        static_cast<std::size_t>(std::find_if(s.begin(), s.end(), [&](double x) { return x >= wanted; }) - s.begin()));
   }
 }
 
