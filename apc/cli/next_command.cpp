@@ -1,6 +1,7 @@
 /// `apc next`: which run would separate what a diagnosis leaves standing.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "apc/base/file.h"
@@ -90,6 +91,10 @@ std::string report_text(const learning::NextPlan& plan, report::UnitSystem units
     if (plan.hopeless[p])
       out += fmt::format("No run of this grid separates {} from {}.\n", plan.contenders[plan.pairs[p][0]].name(),
                          plan.contenders[plan.pairs[p][1]].name());
+  for (const auto& c : plan.contenders)
+    if (std::any_of(c.effects.begin(), c.effects.end(), [](const effects::Applied& e) { return e.effect.fine; }))
+      out += c.name() +
+             ": joints are finer than the means compared here; an accelerometer separates them better than this.\n";
   const auto& first = plan.candidates[plan.best.front()];
   if (!plan.sharpens && first.separation.back() < 2.0)
     out += "No run of the grid separates them for certain (2 sigma): repeat the best one, or add instruments.\n";

@@ -91,6 +91,11 @@ std::string next_section(const NextPlan& plan) {
       html += fmt::format("<p>No run of this grid separates {} from {}.</p>",
                           escaped(plan.contenders[plan.pairs[p][0]].name()),
                           escaped(plan.contenders[plan.pairs[p][1]].name()));
+  for (const Contender& c : plan.contenders)
+    if (std::any_of(c.effects.begin(), c.effects.end(), [](const effects::Applied& e) { return e.effect.fine; }))
+      html += "<p>" + escaped(c.name()) +
+              ": joints are finer than the means compared here; an accelerometer's whole record separates them better "
+              "than the numbers say.</p>";
   html += next_map(plan, plan.sets.size() - 1);
   html +=
       "<p>Framed: the recommended run. *: by at least one explanation it leaves the bed. Empty: not "
