@@ -28,8 +28,9 @@ Limits measure_limits(unsigned threads);
 struct ThreadRates {
   unsigned threads = 1;
   double rest = 0.0, whole = 0.0, window = 0.0, nominal = 0.0;  ///< particle-steps/s
-  double window_wall_s = 0.0;                                   ///< of the window's whole run
-  double drag = 0.0, vertical = 0.0;                            ///< of the window's run, N: same bits on any threads
+  double whole_fastest = 0.0;  ///< of the whole bed's run, its fastest 200 steps: what other work did not slow down
+  double window_wall_s = 0.0;  ///< of the window's whole run
+  double drag = 0.0, vertical = 0.0;  ///< of the window's run, N: same bits on any threads
   Limits limits;
 };
 

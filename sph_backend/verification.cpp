@@ -258,7 +258,20 @@ Convergence converge(Study study, const std::vector<double>& sizes, const StudyO
   require(sizes.size() >= 3, "a convergence study needs at least three sizes, got ", sizes.size(), ".");
   Convergence c;
   c.study = study, c.method = options.method, c.sizes = sizes;
-  for (const double size : sizes) c.runs.push_back(verify(study, size, options));
+  // Halving the size makes eight times the particles and twice the steps.
+  const auto work = [](double size) { return std::pow(size, -4.0); };
+  double whole = 0.0, done = 0.0;
+  for (const double size : sizes) whole += work(size);
+  for (const double size : sizes) {
+    StudyOptions one = options;
+    const std::string at = concat(size / in, " in, ");
+    if (options.progress)
+      one.progress = [&](double share, const std::string& remark) {
+        options.progress((done + share * work(size)) / whole, at + remark);
+      };
+    c.runs.push_back(verify(study, size, one));
+    done += work(size);
+  }
 
   // Places of the three sizes whose index is given: the published ones, or the finest three.
   std::vector<std::size_t> order(sizes.size()), three;

@@ -37,6 +37,8 @@ std::string bench_text(const sph::Throughput& t) {
   add(
       rates, {"rolling, whole bed awake", whole}, [](const Row& r) { return r.whole; }, millions, true);
   add(
+      rates, {"its fastest 200 steps", whole}, [](const Row& r) { return r.whole_fastest; }, millions, true);
+  add(
       rates, {"rolling in its window", window}, [](const Row& r) { return r.window; }, millions, true);
   add(
       rates, {"nominal: the window's run, whole bed counted", whole}, [](const Row& r) { return r.nominal; }, millions,

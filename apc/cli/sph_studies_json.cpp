@@ -101,6 +101,7 @@ std::string bench_json(const sph::Throughput& t, const std::string& command) {
     out["rows"].push_back({{"threads", row.threads},
                            {"rest", row.rest},
                            {"whole", row.whole},
+                           {"whole_fastest", row.whole_fastest},
                            {"window", row.window},
                            {"nominal", row.nominal},
                            {"window_wall_s", row.window_wall_s},
