@@ -67,6 +67,18 @@ void fill_stress_records(Bed& bed, int first, int last) {
   }
 }
 
+/// Volumes of this step for the volume form, once no strain rate needs those of the last one any more.
+void fill_volume_records(Bed& bed) {
+  const Particles& p = bed.particles;
+  bed.team->run(static_cast<int>(p.size()), piece, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const float s = p.stretch[i];
+      bed.neighbours.records[static_cast<std::size_t>(i) * record::size + record::volume] =
+          static_cast<float>(bed.volume0) / (s * s * s);
+    }
+  });
+}
+
 void renew_neighbours(Bed& bed) {
   Neighbours& n = bed.neighbours;
   n.grid.origin[0] = bed.spec.first_column * bed.spec.spacing;
@@ -210,6 +222,7 @@ void strain(Bed& bed) {
   const PairWork work = pair_work(bed);
   const auto& kernels = pair_kernels();
   bed.team->run(bed.neighbours.clusters, 8, [&](int first, int last) { kernels.strain(work, first, last); });
+  if (bed.spec.form == PairForm::volume) fill_volume_records(bed);
   refresh_stress(bed.neighbours.records, bed.particles.size(), bed.neighbours.images, *bed.team);
   bed.energy.internal += total(bed.neighbours.internal);
   bed.energy.damping += total(bed.neighbours.damped);

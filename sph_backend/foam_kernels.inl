@@ -127,9 +127,6 @@ APC_INLINE void update_stress(const PairWork& w, int base, Gradient l, double& i
     damped += sum((dt * w.volume0) * ratio * dot(v, d));
     s.xx += v.xx, s.yy += v.yy, s.zz += v.zz, s.xy += v.xy, s.xz += v.xz, s.yz += v.yz;
   }
-  if constexpr (form == PairForm::volume)
-    for (int i = 0; i < width; ++i)
-      w.records[static_cast<std::size_t>(base + i) * record::size + record::volume] = new_volume[i];
   // V²/m or 1/m
   const Vec scale = form == PairForm::mass ? (w.volume0 * w.volume0 / w.mass) * ratio * ratio : splat(1.0f / w.mass);
   s.xx *= scale, s.yy *= scale, s.zz *= scale, s.xy *= scale, s.xz *= scale, s.yz *= scale;

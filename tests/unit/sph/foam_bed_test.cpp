@@ -169,10 +169,10 @@ TEST(FoamBed, TensionStaysBelowTheCutoff) {
   EXPECT_GT(highest, 0.9 * bed.spec.foam.tension_cutoff);
 }
 
-TEST(FoamBed, SameBitsForAnyNumberOfThreads) {
+TEST_P(FoamBedForm, SameBitsForAnyNumberOfThreads) {
   const auto run = [](unsigned threads) {
     BedSpec s = free_block(14, 8, 8);
-    s.free_body = false, s.threads = threads;
+    s.free_body = false, s.form = GetParam(), s.threads = threads;
     Bed bed = make_bed(s);
     set_velocity(bed, [](double x, double, double z, double& vx, double&, double& vz) {
       vx = 20.0 * std::sin(20.0 * z), vz = -30.0 * x;
