@@ -21,7 +21,7 @@ inline constexpr int lanes = 8;          ///< particles per cluster
 inline constexpr int whole_vector = 16;  ///< the number of particles is a multiple of it
 
 namespace record {
-enum : int { x, y, z, quarter_inverse_h, vx, vy, vz, visc_a, sxx, syy, szz, sxy, sxz, syz, visc_b, volume, size };
+enum : int { x, y, z, quarter_inverse_h, vx, vy, vz, volume, sxx, syy, szz, sxy, sxz, syz, visc_a, visc_b, size };
 }
 
 enum class PairForm { mass, volume };
