@@ -83,7 +83,7 @@ APC_INLINE Gradient gradient(const PairWork& w, int base, std::uint32_t first, s
   const Here p = here(w.records, base);
   Gradient s{};
   for (std::uint32_t k = first; k < end; k += at_once) {
-    const Near q = near < form == PairForm::mass ? 2 : 4 > (w.records, w.neighbour + k);
+    const Near q = near<2>(w.records, w.neighbour + k);
     Pair a = pair_of(p, q);
     if constexpr (form == PairForm::volume) a.weight = a.weight * of<record::volume>(q);
     const Vec ax = a.weight * (p.vx - of<record::vx>(q)), ay = a.weight * (p.vy - of<record::vy>(q)),
