@@ -76,7 +76,8 @@ std::vector<double> true_signal(const simulation::History& h, const Channel& cha
   return {};
 }
 
-/// y(x) by straight lines for a nearly increasing x; ends held.
+}  // namespace
+
 double at_place(const std::vector<double>& x, const std::vector<double>& y, double place) {
   const auto after = std::upper_bound(x.begin(), x.end(), place);
   if (after == x.begin()) return y.front();
@@ -85,8 +86,6 @@ double at_place(const std::vector<double>& x, const std::vector<double>& y, doub
   const double u = (place - x[i - 1]) / std::max(1e-9, x[i] - x[i - 1]);
   return (1.0 - u) * y[i - 1] + u * y[i];
 }
-
-}  // namespace
 
 Rows make_rows(const Run& run, const Case&) {
   Rows rows;

@@ -36,6 +36,9 @@ simulation::Overrun overrun_of(const Case&, const Layout&, std::size_t r, const 
                                const std::vector<effects::Applied>&);
 simulation::Model model_of(const Case&, const Layout&, const Eigen::VectorXd& eta);
 
+/// y(x) by straight lines for a nearly increasing x, of at least one entry; ends held.
+double at_place(const std::vector<double>& x, const std::vector<double>& y, double place);
+
 /// A true signal at any time (no instrument): linear between history rows, continued with its last trend.
 class Signal {
  public:

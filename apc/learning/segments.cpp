@@ -12,16 +12,8 @@ constexpr double segment_length = 8.0;               // m, about two blocks at t
 constexpr std::size_t fewest = 2, most_in_bed = 10;  // segments in the bed
 constexpr double before_bed = 0.9;                   // s on the pavement; a simulated run has one
 constexpr double edge_window = 0.3;                  // s to either side for the speed at an edge
-
-/// y(x) by straight lines for an increasing x; ends held.
-double between(const std::vector<double>& x, const std::vector<double>& y, double at) {
-  const auto after = std::upper_bound(x.begin(), x.end(), at);
-  if (after == x.begin()) return y.front();
-  if (after == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(after - x.begin());
-  const double u = (at - x[i - 1]) / std::max(1e-9, x[i] - x[i - 1]);
-  return (1.0 - u) * y[i - 1] + u * y[i];
-}
+constexpr double rolled_share = 0.9;  // of the way; the rest is rolled at walking speed, below the tables
+constexpr double exit_noise = 0.5;    // m/s, of a speed read where the bed ends
 
 double samples_per_second(const Channel& c) {
   if (c.time.size() > 2) return static_cast<double>(c.time.size() - 1) / std::max(1e-3, c.time.back() - c.time.front());
@@ -49,11 +41,11 @@ std::vector<double> passages(const Channel& speed, const std::vector<double>& ed
     if (i > 0) way += 0.5 * (speed.value[i] + speed.value[i - 1]) * (t - time.back());
     time.push_back(t), place.push_back(way);
   }
-  offset = between(time, place, 0.0);
+  offset = at_place(time, place, 0.0);
   for (double& s : place) s -= offset;
   std::vector<double> result;
   for (const double s : edge)
-    result.push_back(s < place.front() || s > place.back() ? std::nan("") : between(place, time, s));
+    result.push_back(s < place.front() || s > place.back() ? std::nan("") : at_place(place, time, s));
   return result;
 }
 
@@ -102,8 +94,8 @@ Segments make_segments(const Run& run, double way) {
   Segments s;
   const std::size_t n = std::clamp(static_cast<std::size_t>(std::max(0.0, way / segment_length)), fewest, most_in_bed);
   s.edge.push_back(-before_bed * run.overrun.entry_speed);
-  // The last tenth of the way is rolled at walking speed, below the tables.
-  for (std::size_t i = 0; i <= n; ++i) s.edge.push_back(0.9 * way * static_cast<double>(i) / static_cast<double>(n));
+  for (std::size_t i = 0; i <= n; ++i)
+    s.edge.push_back(rolled_share * way * static_cast<double>(i) / static_cast<double>(n));
   if (run.find(Quantity::speed))
     for (std::size_t c = 0; c < run.channels.size(); ++c) {
       const Quantity q = run.channels[c].quantity;
@@ -180,13 +172,13 @@ Eigen::VectorXd simulated_features(const Run& run, const Segments& s, const Trac
       case Kind::slowing: {
         // A run that stops short of an edge is at rest there.
         const auto speed = [&](double place) {
-          return place > h.distance.back() ? 0.0 : between(h.distance, h.speed, place);
+          return place > h.distance.back() ? 0.0 : at_place(h.distance, h.speed, place);
         };
         v = (speed(a) * speed(a) - speed(b) * speed(b)) / (2.0 * (b - a));
         break;
       }
       case Kind::mean: {
-        const double from = between(h.distance, h.time, a), to = between(h.distance, h.time, b);
+        const double from = at_place(h.distance, h.time, a), to = at_place(h.distance, h.time, b);
         constexpr int points = 40;
         for (int i = 0; i < points; ++i) v += signals[f.channel](from + (to - from) * (i + 0.5) / points) / points;
         break;
@@ -196,7 +188,7 @@ Eigen::VectorXd simulated_features(const Run& run, const Segments& s, const Trac
         const auto& gear = h.gears[f.kind == Kind::nose_rut ? nose : main];
         constexpr int points = 12;
         for (int i = 0; i < points; ++i)
-          v += between(gear.distance, gear.rut, a + (b - a) * (i + 0.5) / points) / points;
+          v += at_place(gear.distance, gear.rut, a + (b - a) * (i + 0.5) / points) / points;
         break;
       }
       case Kind::stop:
@@ -217,8 +209,8 @@ Eigen::MatrixXd feature_noise(const Run& run, const Segments& s, const Trace& tr
   const auto n = static_cast<Eigen::Index>(s.count()), m = static_cast<Eigen::Index>(s.features.size());
   std::vector<double> when, speed;
   for (const double place : s.edge)
-    when.push_back(between(h.distance, h.time, place)),
-        speed.push_back(place > h.distance.back() ? 0.0 : between(h.distance, h.speed, place));
+    when.push_back(at_place(h.distance, h.time, place)),
+        speed.push_back(place > h.distance.back() ? 0.0 : at_place(h.distance, h.speed, place));
   // Change of each segment's deceleration with strength, for errors that reach the stop: of the speed where there is
   // one, else the whole run's.
   const double mean_slowing = std::max(0.5, trace.result.mean_deceleration);
@@ -264,7 +256,7 @@ Eigen::MatrixXd feature_noise(const Run& run, const Segments& s, const Trace& tr
     } else if (f.kind == Kind::stop || f.kind == Kind::exit) {
       const double gain = f.kind == Kind::stop ? 1.0 / mean_slowing : 1.0 / std::max(2.0, std::abs(value[k]));
       for (Eigen::Index j = 1; j < n; ++j) {
-        const double way = s.length(static_cast<std::size_t>(j)) / 0.9;
+        const double way = s.length(static_cast<std::size_t>(j)) / rolled_share;
         reads(k, j) = -gain * way * force[j], reads(k, n + j) = -gain * way * force_by_strength[j];
       }
     } else {
@@ -295,7 +287,7 @@ Eigen::MatrixXd feature_noise(const Run& run, const Segments& s, const Trace& tr
         noise(k, k) += run.stop_noise * run.stop_noise;
         break;
       case Kind::exit:
-        noise(k, k) += 0.25;
+        noise(k, k) += exit_noise * exit_noise;
         break;
     }
   }
