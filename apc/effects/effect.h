@@ -48,6 +48,7 @@ struct Site {
   aircraft::Aircraft& aircraft;
   bed::Bed& bed;
   double mass = 0.0, cg_behind_nose_gear = 0.0;  ///< of this run
+  double headwind = 0.0;                         ///< m/s, added to the run's
 };
 
 using Values = std::span<const double>;
@@ -63,7 +64,10 @@ struct Parameter {
 struct Effect {
   std::string id, title, law, source;
   std::string touches, confused_with;  ///< which signals move; the usual mimics
+  std::string form;                    ///< of a law other than the catalogue's for the same id; empty: the catalogue's
   std::vector<Parameter> parameters;   ///< the first is the amplitude
+  /// Shapes worth trying, values of the parameters after the amplitude; empty: over the range of the second one.
+  std::vector<std::vector<double>> shapes;
   std::function<void(const TireState&, Values, TireChange&)> bed, force;
   std::function<void(Site&, Values)> site;
   std::function<double(double time, Values)> thrust;  ///< N forward; `time` after entry, negative before

@@ -6,6 +6,7 @@
 #include "apc/base/require.h"
 #include "apc/effects/catalogue.h"
 #include "apc/effects/formula.h"
+#include "apc/effects/other_forms.h"
 
 namespace apc::effects {
 namespace {
@@ -95,9 +96,13 @@ std::vector<Applied> read_applied(const std::vector<Json>& entries, const std::v
   std::vector<Applied> result;
   for (const Json& entry : entries) {
     const std::string id = entry.text("id");
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Effect& e) { return e.id == id; });
-    entry.check(found != known.end(), "id",
+    const std::string form = entry.text("form", "");
+    const std::vector<Effect>& laws = form.empty() ? known : other_forms();
+    const auto found =
+        std::find_if(laws.begin(), laws.end(), [&](const Effect& e) { return e.id == id && e.form == form; });
+    entry.check(found != laws.end() || !form.empty(), "id",
                 "is no effect of the catalogue or of this file. 'apc effects list' shows them.");
+    entry.check(found != laws.end(), "form", "is no form of this effect. 'apc effects list' shows them.");
     Applied one{*found, {}};
     const Json parameters = entry.object("parameters");
     for (const Parameter& parameter : found->parameters)

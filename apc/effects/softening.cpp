@@ -22,7 +22,7 @@ Effect softening() {
   e.source = "ACRP Report 29: −60 % strength after 78 immersed freeze–thaw cycles";
   e.touches = "deeper rut and less drag over the first part of the bed";
   e.confused_with = "debris, tire_loss, depth_as_built";
-  e.parameters = {{"A", "", dimension::none, -0.2, 0.6, 0.2, 0.0},
+  e.parameters = {{"A", "", dimension::none, 0.0, 0.6, 0.2, 0.0},
                   {"length", "m", dimension::length, 4.0, 80.0, 20.0, 0.0}};
   e.bed = act;
   return e;

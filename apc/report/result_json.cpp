@@ -57,6 +57,7 @@ Value inputs_json(const OverrunRecord& record) {
     out["effects"] = Value::array();
     for (const auto& applied : overrun.alterations.effects) {
       Value one{{"id", applied.effect.id}};
+      if (!applied.effect.form.empty()) one["form"] = applied.effect.form;
       for (std::size_t i = 0; i < applied.values.size(); ++i)
         one["parameters"][applied.effect.parameters[i].name] = applied.values[i];
       out["effects"].push_back(std::move(one));

@@ -28,6 +28,7 @@ struct Variant {
         model.aircraft, model.bed, overrun.mass > 0.0 ? overrun.mass : model.aircraft.mass,
         overrun.cg_behind_nose_gear > 0.0 ? overrun.cg_behind_nose_gear : model.aircraft.cg_behind_nose_gear};
     effects::alter_site(overrun.alterations, site);
+    overrun.headwind += site.headwind;
     plant = make_plant(model, overrun);
     around = surroundings_at_entry(plant);
     start = trim(plant, overrun.entry_speed).state;

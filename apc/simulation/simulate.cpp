@@ -172,7 +172,9 @@ Result simulate(const Model& model, const Overrun& overrun, const Options& optio
         changed.aircraft, changed.bed, overrun.mass > 0.0 ? overrun.mass : model.aircraft.mass,
         overrun.cg_behind_nose_gear > 0.0 ? overrun.cg_behind_nose_gear : model.aircraft.cg_behind_nose_gear};
     effects::alter_site(overrun.alterations, site);
-    result = run(changed, overrun, options);
+    Overrun windy = overrun;
+    windy.headwind += site.headwind;
+    result = run(changed, windy, options);
   } else {
     result = run(model, overrun, options);
   }

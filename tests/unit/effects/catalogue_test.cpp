@@ -1,4 +1,4 @@
-#include "apc/effects/catalogue.h"
+#include "apc/effects/other_forms.h"
 
 #include <gtest/gtest.h>
 
@@ -33,9 +33,17 @@ bed::Bed flat_bed() {
   return b;
 }
 
+/// The catalogue's laws, then those of other form.
+std::vector<Effect> all_laws() {
+  auto laws = catalogue();
+  laws.insert(laws.end(), other_forms().begin(), other_forms().end());
+  laws.push_back(lock_up_gradual());
+  return laws;
+}
+
 TEST(Effects, EveryEffectIsNeutralAtItsNeutralAmplitude) {
-  for (const Effect& effect : catalogue()) {
-    SCOPED_TRACE(effect.id);
+  for (const Effect& effect : all_laws()) {
+    SCOPED_TRACE(effect.id + " " + effect.form);
     const Applied one = applied(effect, effect.parameters.front().neutral);
     TireChange change;
     if (effect.bed) effect.bed(in_the_bed(), one.values, change);
@@ -56,13 +64,14 @@ TEST(Effects, EveryEffectIsNeutralAtItsNeutralAmplitude) {
       EXPECT_EQ(a.gears[1].strut.friction, 1e3);
       EXPECT_EQ(b.depth, flat_bed().depth);
       EXPECT_EQ(b.grade, 0.0);
+      EXPECT_EQ(site.headwind, 0.0);
     }
   }
 }
 
 TEST(Effects, EveryEffectDoesSomethingAtItsUsualAmplitude) {
-  for (const Effect& effect : catalogue()) {
-    SCOPED_TRACE(effect.id);
+  for (const Effect& effect : all_laws()) {
+    SCOPED_TRACE(effect.id + " " + effect.form);
     ASSERT_TRUE(effect.bed || effect.force || effect.site || effect.thrust);
     EXPECT_FALSE(effect.law.empty());
     EXPECT_FALSE(effect.source.empty());
@@ -72,7 +81,8 @@ TEST(Effects, EveryEffectDoesSomethingAtItsUsualAmplitude) {
     EXPECT_GE(amplitude.high, amplitude.usual);
     Applied one = applied(effect, amplitude.usual);
     TireState state = in_the_bed();
-    if (effect.id == "seams") state.bed_distance = one.values[1] * 10.0;  // on a joint
+    if (effect.id == "seams") state.bed_distance = one.values[1] * 10.0;          // on a joint
+    if (!effect.form.empty()) state.bed_distance = 7.0, state.penetration = 0.3;  // in the rows, off a wave's zero
     if (effect.id == "tire_loss") state.nose_distance = one.values[1] + 5.0;
     TireChange change;
     if (effect.bed) effect.bed(state, one.values, change);
@@ -104,6 +114,31 @@ TEST(Effects, FollowTheirLaws) {
   change = {};
   temperature().bed(s, applied(temperature(), 0.004).values, change);
   EXPECT_DOUBLE_EQ(change.strength, 1.0 + 0.004 * 10.0);
+}
+
+TEST(Effects, OtherFormsFollowTheirLaws) {
+  TireState s = in_the_bed();
+  TireChange change;
+  const Effect limited = inertial_limited();
+  limited.force(s, std::vector{0.3, 0.12}, change);
+  EXPECT_DOUBLE_EQ(change.drag, 0.3 * 320.0 * 0.3 * 0.12 * 25.0 * 25.0) << "only the upper 0.12 m";
+  const Effect rows = softening_rows();
+  for (const auto& [place, wanted] : {std::pair{8.0, 1.0}, {12.0, 0.6}, {20.0, 0.6}, {26.0, 1.0}}) {
+    change = {};
+    s.bed_distance = place;
+    rows.bed(s, std::vector{0.4, 10.0, 15.0}, change);
+    EXPECT_DOUBLE_EQ(change.strength, wanted) << place;
+  }
+  const Effect held = thrust_held();
+  EXPECT_DOUBLE_EQ(held.thrust(-1.0, std::vector{1e4, 1.0, 2.0}), 1e4);
+  EXPECT_DOUBLE_EQ(held.thrust(2.0, std::vector{1e4, 1.0, 2.0}), 5e3);
+  EXPECT_DOUBLE_EQ(held.thrust(4.0, std::vector{1e4, 1.0, 2.0}), 0.0);
+  auto a = two_gears();
+  auto b = flat_bed();
+  Site site{a, b, a.mass, a.cg_behind_nose_gear};
+  aero_wind().site(site, std::vector{3.0, -10.0});
+  EXPECT_DOUBLE_EQ(a.aero.CD, 0.13 + 3.0 / 50.0);
+  EXPECT_DOUBLE_EQ(site.headwind, -5.0);
 }
 
 TEST(Effects, StickingStrutsShareTheStaticLoad) {
