@@ -8,7 +8,7 @@
 #include "apc/base/require.h"
 #include "apc/base/units.h"
 #include "apc/cli/learn_inputs.h"
-#include "apc/effects/catalogue.h"
+#include "apc/effects/other_forms.h"
 #include "apc/learning/learn_page.h"
 #include "apc/learning/metrics.h"
 
@@ -157,12 +157,20 @@ void add_effects(CLI::App& program, Settings& settings) {
   effects->require_subcommand(1);
   CLI::App* list = effects->add_subcommand("list", "ids and laws");
   list->callback([&settings] {
-    for (const auto& e : effects::catalogue()) say(settings, fmt::format("{:<16} {}\n", e.id, e.law));
+    for (const auto& e : effects::catalogue()) {
+      say(settings, fmt::format("{:<16} {}\n", e.id, e.law));
+      for (const auto& form : effects::other_forms())
+        if (form.id == e.id) say(settings, fmt::format("  or {:<11} {}\n", form.form, form.law));
+    }
   });
   CLI::App* show = effects->add_subcommand("show", "law, source, parameters and ranges of one effect");
   const auto id = std::make_shared<std::string>();
   show->add_option("id", *id, "such as seams")->required();
-  show->callback([&settings, id] { say(settings, effect_text(effects::find_effect(effects::catalogue(), *id))); });
+  show->callback([&settings, id] {
+    say(settings, effect_text(effects::find_effect(effects::catalogue(), *id)));
+    for (const auto& form : effects::other_forms())
+      if (form.id == *id) say(settings, fmt::format("\nform {}: ", form.form) + effect_text(form));
+  });
 }
 
 void add_learning(CLI::App& program, Settings& settings) {

@@ -9,7 +9,7 @@
 #include "apc/base/progress.h"
 #include "apc/base/require.h"
 #include "apc/base/units.h"
-#include "apc/effects/catalogue.h"
+#include "apc/effects/other_forms.h"
 #include "apc/effects/effect_json.h"
 
 namespace apc::cli {
@@ -68,15 +68,16 @@ std::optional<learning::NextPlan> plan_of(const learning::Case& data, learning::
 std::string verdict_text(const learning::Study& study) {
   const learning::Diagnosis& d = study.diagnosis;
   std::string out =
-      "warning: experimental. The probabilities are not calibrated: on measured cases with known truth the right\n"
-      "effect came first in a minority, and a wrong one was sometimes all but certain.\n"
-      "Take the ranking as a hint where to look, and quote none of it.\n" +
+      "warning: experimental. Odds and tempers were chosen on measured cases with known truth, where the right effect\n"
+      "came first in about half and weak ones stayed silent (apc/doc/verification.md); on others nobody has checked.\n"
+      "Take the ranking as a hint where to look.\n" +
       fmt::format("VERDICT  {}", learning::text(d.verdict));
   if (!d.learned.empty()) out += ": a force that follows \"" + d.learned + "\", none of the catalogue";
   out += "\n";
   for (const auto& claim : d.claims) {
     if (claim.probability < 0.05) continue;
-    out += fmt::format("  {:<18} P {:.2f}  family-wise p {:.4f} ", claim.id, claim.probability, claim.p_family_wise);
+    out += fmt::format("  {:<18} P {:.2f}  family-wise p {:.4f} ", effects::named(claim.applied.effect),
+                       claim.probability, claim.p_family_wise);
     for (std::size_t k = 0; k < claim.applied.values.size(); ++k) {
       const auto& p = claim.applied.effect.parameters[k];
       const double factor = p.unit.empty() ? 1.0 : parse_unit(p.unit).factor;

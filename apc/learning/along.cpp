@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apc/base/parallel.h"
+#include "apc/base/require.h"
 #include "apc/learning/along_noise.h"
 
 namespace apc::learning {
@@ -12,6 +13,11 @@ namespace {
 using effects::Applied;
 using effects::Effect;
 
+/// Evidence is divided by this before it becomes probability: with ruts in every run, and without. Chosen on cases with
+/// known truth.
+constexpr double temper_surveyed = 1.5, temper_unsurveyed = 3.0;
+/// Relinearisations of the bed, each half the way to what is likeliest.
+constexpr int rounds = 4;
 /// A tire cannot be told to have lost its pressure before the main gear is in the full bed.
 constexpr double earliest_tire_loss = 30.0;
 
@@ -47,13 +53,13 @@ void add_effects(const Along& along, const Case& data, const std::vector<Effect>
   parallel_for(shapes.size() * along.runs.size(), threads, [&](std::size_t job) {
     const std::size_t r = job / shapes.size(), k = job % shapes.size();
     const AlongRun& a = along.runs[r];
-    effects::Alterations with;
-    with.conditions = data.runs[r].conditions;
-    with.effects = {shapes[k]};
-    with.effects.front().values.front() = shapes[k].effect.parameters.front().neutral + steps[k];
-    const Balance b = balance_at_ruts(data, along.gears, data.runs[r], a.motion, with);
+    effects::Alterations with = a.here;
+    with.effects.push_back(shapes[k]);
+    with.effects.back().values.front() = shapes[k].effect.parameters.front().neutral + steps[k];
+    const Balance b = balance_at_loads(data, along.gears, data.runs[r], a.motion, with);
     columns[r][k] =
-        (read_off(a.readings, data.runs[r], a.motion, b, data.runs[r].overrun.entry_speed) - a.predicted) / steps[k];
+        (read_off(a.readings, along.gears, data.runs[r], a.motion, b, data.runs[r].overrun.entry_speed) - a.predicted) /
+        steps[k];
   });
 }
 
@@ -64,7 +70,10 @@ void add_sensors(const Along& along, const Case& data, const Layout& layout, Col
   for (const Quantity quantity : {Quantity::speed, Quantity::acceleration_x})
     for (std::size_t fault = 0; fault < 3; ++fault)
       for (std::size_t only = 0; only <= along.runs.size(); ++only) {
-        if (only > 0 && along.runs.size() == 1) continue;
+        const auto recorded = [&](const Run& run) { return run.find(quantity) != nullptr; };
+        if (only > 0 ? along.runs.size() == 1 || !recorded(data.runs[only - 1])
+                     : std::none_of(data.runs.begin(), data.runs.end(), recorded))
+          continue;
         Hypothesis h;
         h.kind = Hypothesis::Kind::sensor;
         h.id = name_of(quantity) + "." + faults[fault];
@@ -81,7 +90,8 @@ void add_sensors(const Along& along, const Case& data, const Layout& layout, Col
           columns[r].push_back(std::move(column));
         }
         if (only > 0) h.run = data.runs[only - 1].id;
-        h.candidate = {{static_cast<Eigen::Index>(columns.front().size()) - 1}, {deviation}, {false}, 0.0};
+        // No instrument runs ahead of what it measures.
+        h.candidate = {{static_cast<Eigen::Index>(columns.front().size()) - 1}, {deviation}, {fault == 2}, 0.0};
         list.push_back(std::move(h));
       }
 }
@@ -107,7 +117,7 @@ void add_learned(const Along& along, const Case& data, Columns& columns, std::ve
       const Run& run = data.runs[r];
       Eigen::MatrixXd plain(a.predicted.size(), hats);
       for (Eigen::Index k = 0; k < hats; ++k) {
-        Balance b = a.balance;
+        Balance b = a.response.base;
         for (Eigen::Index i = 0; i < b.along.size(); ++i) {
           const auto s = static_cast<std::size_t>(i);
           for (const GearFacts& g : along.gears) {
@@ -117,7 +127,8 @@ void add_learned(const Along& along, const Case& data, Columns& columns, std::ve
             b.along[i] -= scale * std::max(0.0, 1.0 - u) / run.overrun.mass;
           }
         }
-        plain.col(k) = (read_off(a.readings, run, a.motion, b, run.overrun.entry_speed) - a.predicted) / scale;
+        plain.col(k) =
+            (read_off(a.readings, along.gears, run, a.motion, b, run.overrun.entry_speed) - a.predicted) / scale;
       }
       const Eigen::MatrixXd smooth = plain * factor;
       for (Eigen::Index k = 0; k < hats; ++k) columns[r].emplace_back(smooth.col(k));
@@ -140,27 +151,53 @@ std::optional<Along> balance_along(const Case& data, const Layout& layout, unsig
   parallel_for(along.runs.size(), threads, [&](std::size_t r) {
     AlongRun& a = along.runs[r];
     const Run& run = data.runs[r];
-    settle(data, along.gears, run, a.motion);
+    load_motion(data, along.gears, run, a.motion);
+    a.readings = readings_of(data, along.gears, run, a.motion);
+    a.measured.resize(static_cast<Eigen::Index>(a.readings.size()));
+    for (std::size_t i = 0; i < a.readings.size(); ++i) a.measured[static_cast<Eigen::Index>(i)] = a.readings[i].value;
     effects::Alterations plain;
     plain.conditions = run.conditions;
-    a.balance = balance_at_ruts(data, along.gears, run, a.motion, plain);
-    a.readings = readings_of(data, along.gears, run, a.motion);
-    a.predicted = read_off(a.readings, run, a.motion, a.balance, run.overrun.entry_speed);
-    a.difference = -a.predicted;
-    for (std::size_t i = 0; i < a.readings.size(); ++i)
-      a.difference[static_cast<Eigen::Index>(i)] += a.readings[i].value;
-    a.unknowns = sensitivities(data, layout, along.gears, r, a);
-    a.ruts = rut_sensitivities(data, along.gears, run, a);
+    a.nominal = balance_at_loads(data, along.gears, run, a.motion, plain);
+    a.plain = read_off(a.readings, along.gears, run, a.motion, a.nominal, run.overrun.entry_speed);
+    a.response.base = a.nominal;
   });
-  fit_noise(along, data, layout, along_prior(data, layout), threads);
+  const AlongPrior prior = along_prior(data, layout);
+  const Eigen::VectorXd of_the_bed = bed_unknowns(layout);
+  along.bed = Eigen::VectorXd::Zero(layout.size + Extra::count);
+  const auto fit_at = [&](const Eigen::VectorXd& bed, int passes) {
+    along.bed = bed;
+    parallel_for(along.runs.size(), threads,
+                 [&](std::size_t r) { linearise_at(data, layout, along.gears, r, along.bed, along.runs[r]); });
+    return fit_noise(along, data, layout, prior, passes, threads);
+  };
+  try {
+    Eigen::VectorXd bed = Eigen::VectorXd::Zero(layout.size + Extra::count), best = bed;
+    double highest = -1e300;
+    AlongNoise noise;
+    for (int round = 0; round < rounds; ++round) {
+      const Eigen::VectorXd likeliest = fit_at(bed, 1);
+      if (along.log_evidence > highest) highest = along.log_evidence, best = bed, noise = along.noise;
+      bed += 0.5 * (of_the_bed.cwiseProduct(likeliest) - bed);
+    }
+    fit_at(bed, 2);
+    if (along.log_evidence < highest) along.noise = noise, fit_at(best, 1);  // one step too far
+  } catch (const SolveError&) {
+    return std::nullopt;
+  }
   return along;
 }
 
 Screen weigh_along(const Along& along, const Case& data, const Layout& layout, const std::vector<Effect>& effects,
                    unsigned threads) {
   Screen result;
+  result.temper = temper_surveyed;
+  for (const AlongRun& a : along.runs)
+    if (std::none_of(a.readings.begin(), a.readings.end(),
+                     [](const Reading& r) { return r.kind == Reading::Kind::rut; }))
+      result.temper = temper_unsurveyed;
   Columns columns(along.runs.size());
   add_effects(along, data, effects, threads, columns, result.hypotheses);
+  share_shapes(result.hypotheses);
   add_sensors(along, data, layout, columns, result.hypotheses);
   add_learned(along, data, columns, result.hypotheses);
   const Eigen::Index n = along.precision.rows(), k = static_cast<Eigen::Index>(columns.front().size());
@@ -174,9 +211,10 @@ Screen weigh_along(const Along& along, const Case& data, const Layout& layout, c
     for (Eigen::Index i = 0; i < k; ++i) F.col(i) = columns[r][static_cast<std::size_t>(i)];
     const auto lower = a.factor.triangularView<Eigen::Lower>();
     F = Eigen::MatrixXd(lower.solve(F));
-    const Eigen::MatrixXd S = lower.solve(a.unknowns);
+    const Eigen::MatrixXd S = lower.solve(a.unknowns(Eigen::all, a.touched));
     const Eigen::VectorXd y = lower.solve(a.difference);
-    information += S.transpose() * S, cross += S.transpose() * F, right += S.transpose() * y;
+    information(a.touched, a.touched) += S.transpose() * S;
+    cross(a.touched, Eigen::all) += S.transpose() * F, right(a.touched) += S.transpose() * y;
     plain += F.transpose() * F, score += F.transpose() * y, square += y.squaredNorm();
   }
   result.scores = marginal_scores(information, along.precision, cross, right, plain, score, square);

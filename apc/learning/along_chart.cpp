@@ -20,21 +20,21 @@ struct Point {
 std::vector<Point> accelerations(const AlongRun& a, const Eigen::VectorXd& values) {
   std::vector<Point> list;
   for (std::size_t i = 0; i < a.readings.size(); ++i)
-    if (a.readings[i].quantity == Quantity::acceleration_x && !a.readings[i].is_stop())
+    if (a.readings[i].is(Quantity::acceleration_x))
       list.push_back({a.motion.at(a.motion.place, 0.5 * (a.readings[i].from + a.readings[i].to)),
                       values[static_cast<Eigen::Index>(i)]});
   return list;
 }
 
-/// What the tables at the surveyed ruts predict with the effects the diagnosis would add.
+/// What the tables at the loads carried predict with the effects the diagnosis would add.
 Eigen::VectorXd with_effects(const Study& study, std::size_t r) {
   const AlongRun& a = study.along->runs[r];
   const Run& run = study.background.runs[r];
   effects::Alterations alterations;
   alterations.conditions = run.conditions;
   alterations.effects = study.diagnosis.augmented;
-  return read_off(a.readings, run, a.motion,
-                  balance_at_ruts(*study.background.data, study.along->gears, run, a.motion, alterations),
+  return read_off(a.readings, study.along->gears, run, a.motion,
+                  balance_at_loads(*study.background.data, study.along->gears, run, a.motion, alterations),
                   run.overrun.entry_speed);
 }
 
@@ -48,8 +48,7 @@ std::string line(const std::vector<Point>& points, const char* style, double rea
 
 std::string chart(const Study& study, std::size_t r, double reach) {
   const AlongRun& a = study.along->runs[r];
-  Eigen::VectorXd measured = a.predicted + a.difference;
-  const auto dots = accelerations(a, measured);
+  const auto dots = accelerations(a, a.measured);
   double lowest = -1.0;
   for (const Point& p : dots) lowest = std::min(lowest, p.value);
   std::string svg = fmt::format("<svg viewBox='0 0 720 186' role='img' aria-label='Deceleration of {} along the bed'>",
@@ -66,7 +65,7 @@ std::string chart(const Study& study, std::size_t r, double reach) {
     if (p.place >= 0.0)
       svg += fmt::format("<circle cx='{:.1f}' cy='{:.1f}' r='2'/>", 50.0 + 640.0 * p.place / reach,
                          12.0 + 140.0 * p.value / lowest);
-  svg += "</g>" + line(accelerations(a, a.predicted), "class='model'", reach, lowest);
+  svg += "</g>" + line(accelerations(a, a.plain), "class='model'", reach, lowest);
   if (!study.diagnosis.augmented.empty())
     svg += line(accelerations(a, with_effects(study, r)), "class='model' stroke-dasharray='5 3'", reach, lowest);
   return svg + fmt::format(
@@ -92,7 +91,8 @@ std::string map(const Study& study, double reach) {
     const double y = 24.0 * static_cast<double>(r) + 4.0;
     svg += fmt::format("<text x='60' y='{:.0f}' text-anchor='end'>{}</text>", y + 14.0,
                        escaped(study.background.runs[r].id));
-    const auto missing = accelerations(a, -a.difference);  // model minus measured: a drag that is missing is positive
+    const auto missing =
+        accelerations(a, a.plain - a.measured);  // model minus measured: a drag that is missing is positive
     double offset = 0.0;
     int before = 0;
     for (const Point& p : missing)
@@ -129,11 +129,12 @@ std::string along_charts(const Study& study) {
   double reach = 10.0;
   for (const AlongRun& a : study.along->runs) reach = std::max(reach, a.motion.place.back());
   std::string html =
-      "<h2>Force at every place</h2><p>At the surveyed ruts the load tables say what each wheel took. Blue and +: "
+      "<h2>Force at every place</h2><p>At the loads the wheels carried the load tables say what drag they took. Blue "
+      "and +: "
       "resistance the tables lack, red and −: too much, full colour at 10 % of the weight, signs from 3 %; the "
       "accelerometer's reading before the bed is taken off.</p>" +
       map(study, reach) +
-      "<p>Dots: measured acceleration. Line: the tables at the surveyed ruts, nothing fitted. Dashed: with the effects "
+      "<p>Dots: measured acceleration. Line: the tables at the loads carried, nothing fitted. Dashed: with the effects "
       "the diagnosis would add.</p>";
   for (std::size_t r = 0; r < study.along->runs.size(); ++r)
     html += "<h3>" + escaped(study.background.runs[r].id) + "</h3>" + chart(study, r, reach);

@@ -6,12 +6,11 @@
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
-#include "apc/base/units.h"
 
 namespace apc::learning {
 namespace {
 
-constexpr double knot = 0.1;         ///< s, of the deceleration's error
+constexpr double knot = noise_knots;
 constexpr double run_level = 0.02;   ///< share of the deceleration that is off in a whole run
 constexpr double rut_memory = 3.0;   ///< m
 constexpr double ramp_factor = 6.0;  ///< in beds thinner than the table's samples
@@ -26,7 +25,7 @@ Eigen::MatrixXd drag_error(const Case& data, const std::vector<GearFacts>& gears
     const double at = std::clamp((static_cast<double>(j) * knot - m.time.front()) / m.interval, 0.0,
                                  static_cast<double>(m.size() - 1));
     const auto i = static_cast<std::size_t>(at);
-    size[j] = std::max(1.0, -a.balance.along[static_cast<Eigen::Index>(i)]);
+    size[j] = std::max(1.0, -a.response.base.along[static_cast<Eigen::Index>(i)]);
     for (const GearFacts& g : gears) {
       const double place = m.place[i] - g.behind;
       if (place > 0.0 && data.bed.depth_at(place) < 1.05 * g.table->depth_range()[0])
@@ -48,16 +47,17 @@ Eigen::MatrixXd drag_error_readings(const Run& run, const AlongRun& a, Eigen::In
   for (std::size_t i = 0; i < a.readings.size(); ++i) {
     const Reading& r = a.readings[i];
     const auto row = static_cast<Eigen::Index>(i);
-    const double t = r.is_stop() ? a.motion.time.back() : 0.5 * (r.from + r.to) - mean_delay(run, r);
-    if (r.quantity == Quantity::acceleration_x && t >= 0.0) {
+    const bool stop = r.kind == Reading::Kind::stop;
+    const double t = stop ? a.motion.time.back() : 0.5 * (r.from + r.to) - mean_delay(run, r);
+    if (r.is(Quantity::acceleration_x) && t >= 0.0) {
       const auto j = std::min(static_cast<Eigen::Index>(t / knot), knots - 2);
       const double u = std::min(1.0, t / knot - static_cast<double>(j));
       B(row, j) += 1.0 - u, B(row, j + 1) += u;
     }
-    if (!r.is_stop() && r.quantity != Quantity::speed) continue;
+    if (!stop && !r.is(Quantity::speed)) continue;
     for (Eigen::Index j = 0; j < knots; ++j) {
       const double since = t - static_cast<double>(j) * knot;
-      B(row, j) = knot * (r.is_stop() ? std::max(0.0, since) : std::clamp(since / knot + 0.5, 0.0, 1.0));
+      B(row, j) = knot * (stop ? std::max(0.0, since) : std::clamp(since / knot + 0.5, 0.0, 1.0));
     }
   }
   return B;
@@ -65,7 +65,7 @@ Eigen::MatrixXd drag_error_readings(const Run& run, const AlongRun& a, Eigen::In
 
 /// Log evidence without any effect; leaves the runs' factors as this noise makes them.
 double evidence_under(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior,
-                      const AlongNoise& noise, unsigned threads) {
+                      const AlongNoise& noise, unsigned threads, Eigen::VectorXd* likeliest = nullptr) {
   const AlongPrior wide = with_vertical_error(prior, layout, noise.vertical_table);
   const Eigen::Index n = wide.precision.rows();
   std::vector<Eigen::MatrixXd> information(along.runs.size());
@@ -74,21 +74,24 @@ double evidence_under(Along& along, const Case& data, const Layout& layout, cons
   parallel_for(along.runs.size(), threads, [&](std::size_t r) {
     AlongRun& a = along.runs[r];
     a.factor = noise_factor(data, along.gears, data.runs[r], a, noise);
-    const Eigen::MatrixXd S = a.factor.triangularView<Eigen::Lower>().solve(a.unknowns);
+    const Eigen::MatrixXd S = a.factor.triangularView<Eigen::Lower>().solve(a.unknowns(Eigen::all, a.touched));
     const Eigen::VectorXd y = a.factor.triangularView<Eigen::Lower>().solve(a.difference);
-    information[r] = Eigen::MatrixXd::Zero(n, n);
-    information[r].selfadjointView<Eigen::Lower>().rankUpdate(S.transpose());
-    right[r] = S.transpose() * y;
+    information[r] = S.transpose() * S, right[r] = S.transpose() * y;
     rest[r] = -0.5 * y.squaredNorm() - a.factor.diagonal().array().log().sum();
   });
   Eigen::MatrixXd M = wide.precision;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(n);
   double log_evidence = 0.5 * wide.log_determinant;
-  for (std::size_t r = 0; r < along.runs.size(); ++r)
-    M += Eigen::MatrixXd(information[r].selfadjointView<Eigen::Lower>()), sum += right[r], log_evidence += rest[r];
+  for (std::size_t r = 0; r < along.runs.size(); ++r) {
+    const auto& touched = along.runs[r].touched;
+    M(touched, touched) += information[r], sum(touched) += right[r];
+    log_evidence += rest[r];
+  }
   const Eigen::LLT<Eigen::MatrixXd> factor(M);
-  expect(factor.info() == Eigen::Success, "the normal matrix along the motion is not positive");
-  return log_evidence + 0.5 * sum.dot(factor.solve(sum)) - factor.matrixLLT().diagonal().array().log().sum();
+  if (factor.info() != Eigen::Success) throw SolveError("the normal matrix along the motion is not positive");
+  const Eigen::VectorXd mean = factor.solve(sum);
+  if (likeliest) *likeliest = mean;
+  return log_evidence + 0.5 * sum.dot(mean) - factor.matrixLLT().diagonal().array().log().sum();
 }
 
 }  // namespace
@@ -98,47 +101,38 @@ Eigen::MatrixXd noise_factor(const Case& data, const std::vector<GearFacts>& gea
   const Eigen::MatrixXd K = drag_error(data, gears, a, n);
   const Eigen::MatrixXd B = drag_error_readings(run, a, K.rows());
   Eigen::MatrixXd C = B * K * B.transpose();
-  const auto groups = static_cast<Eigen::Index>(gears.size());
-  const Eigen::Index knots = a.ruts.cols() / groups;
-  Eigen::MatrixXd R(knots, knots);
-  for (Eigen::Index i = 0; i < knots; ++i)
-    for (Eigen::Index j = 0; j < knots; ++j)
-      R(i, j) = n.rut * n.rut * std::exp(-std::abs(static_cast<double>(i - j)) * rut_knots / rut_memory);
-  for (Eigen::Index g = 0; g < groups; ++g) {
-    const auto part = a.ruts.middleCols(g * knots, knots);
-    C += part * R * part.transpose();
-  }
-  const double turning = n.pitching * units::g0 * run.overrun.mass / run.overrun.pitch_inertia * knot;
+  Eigen::MatrixXd L(K.rows(), K.rows());
+  for (Eigen::Index i = 0; i < L.rows(); ++i)
+    for (Eigen::Index j = 0; j < L.rows(); ++j)
+      L(i, j) = n.load * n.load * std::exp(-std::abs(static_cast<double>(i - j)) * knot / n.memory);
+  for (const Eigen::MatrixXd& by : a.carried) C += by * L * by.transpose();
   for (std::size_t i = 0; i < a.readings.size(); ++i) {
     const Reading& p = a.readings[i];
     const auto row = static_cast<Eigen::Index>(i);
-    const bool accelerometer = p.quantity == Quantity::acceleration_x || p.quantity == Quantity::acceleration_z;
-    C(row, row) += std::pow(p.deviation * (accelerometer && !p.is_stop() ? n.accelerometer : 1.0), 2);
-    const double slow = p.quantity == Quantity::acceleration_z ? n.up * units::g0
-                        : p.quantity == Quantity::pitch_rate   ? turning
-                                                               : 0.0;
-    if (slow == 0.0) continue;
+    C(row, row) += std::pow(p.deviation * (p.is(Quantity::acceleration_x) ? n.accelerometer : 1.0), 2);
+    if (p.kind != Reading::Kind::rut) continue;
     for (std::size_t j = 0; j < a.readings.size(); ++j)
-      if (a.readings[j].quantity == p.quantity)
+      if (a.readings[j].kind == p.kind && a.readings[j].gear == p.gear)
         C(row, static_cast<Eigen::Index>(j)) +=
-            slow * slow * std::exp(-std::abs(p.from - a.readings[j].from) / n.memory);
+            n.rut * n.rut * std::exp(-std::abs(p.from - a.readings[j].from) / rut_memory);
   }
   const Eigen::LLT<Eigen::MatrixXd> factor(C);
-  expect(factor.info() == Eigen::Success, "the covariance of the readings is not positive");
+  if (factor.info() != Eigen::Success) throw SolveError("the covariance of the readings is not positive");
   return factor.matrixL();
 }
 
-void fit_noise(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior, unsigned threads) {
+Eigen::VectorXd fit_noise(Along& along, const Case& data, const Layout& layout, const AlongPrior& prior, int passes,
+                          unsigned threads) {
   const auto numbers = [](AlongNoise& n) {
-    return std::array<double*, 7>{&n.rut, &n.drag, &n.up, &n.pitching, &n.memory, &n.accelerometer, &n.vertical_table};
+    return std::array<double*, 6>{&n.rut, &n.drag, &n.load, &n.memory, &n.accelerometer, &n.vertical_table};
   };
-  constexpr std::array<std::array<double, 2>, 7> range = {
-      {{0.0015, 0.012}, {0.01, 0.3}, {0.01, 0.5}, {0.01, 1.0}, {0.1, 2.0}, {1.0, 4.0}, {1.0, 4.0}}};
+  constexpr std::array<std::array<double, 2>, 6> range = {
+      {{0.002, 0.06}, {0.01, 0.3}, {0.01, 0.4}, {0.1, 2.0}, {1.0, 4.0}, {1.0, 4.0}}};
   double highest = evidence_under(along, data, layout, prior, along.noise, threads);
-  for (int pass = 0; pass < 2; ++pass)
+  for (int pass = 0; pass < passes; ++pass)
     for (std::size_t p = 0; p < range.size(); ++p) {
       AlongNoise best = along.noise;
-      for (const double factor : {0.5, 0.7, 1.4, 2.0}) {
+      for (const double factor : {0.7, 1.4}) {
         AlongNoise tried = along.noise;
         double& value = *numbers(tried)[p];
         const double before = value;
@@ -149,8 +143,11 @@ void fit_noise(Along& along, const Case& data, const Layout& layout, const Along
       }
       along.noise = best;
     }
-  evidence_under(along, data, layout, prior, along.noise, threads);  // the last one tried was another
+  Eigen::VectorXd likeliest;
+  along.log_evidence =
+      evidence_under(along, data, layout, prior, along.noise, threads, &likeliest);  // the last one tried was another
   along.precision = with_vertical_error(prior, layout, along.noise.vertical_table).precision;
+  return likeliest;
 }
 
 }  // namespace apc::learning

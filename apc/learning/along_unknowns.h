@@ -8,8 +8,8 @@ namespace apc::learning {
 /// Unknowns beyond the layout's, appended in this order, with the standard deviations of their priors.
 struct Extra {
   static constexpr Eigen::Index pavement = 0, drag = 1, rolling = 2, depth = 3, thin_drag = 4, thin_vertical = 5,
-                                count = 6;
-  static constexpr double deviation[count] = {0.0015, 0.03, 0.012, 0.012, 0.08, 0.08};
+                                swing_nose = 6, swing_main = 7, stiffening = 8, count = 9;
+  static constexpr double deviation[count] = {0.0015, 0.03, 0.012, 0.012, 0.08, 0.08, 0.3, 0.3, 0.7};
 };
 
 /// Prior of the layout's unknowns and the extra ones; bed strength as a certificate allows it (8 %). `vertical_table`
@@ -21,10 +21,14 @@ struct AlongPrior {
 AlongPrior along_prior(const Case&, const Layout&);
 AlongPrior with_vertical_error(const AlongPrior&, const Layout&, double vertical_table);
 
-Eigen::MatrixXd sensitivities(const Case&, const Layout&, const std::vector<GearFacts>&, std::size_t run,
-                              const AlongRun&);
-/// By ruts at knots of `rut_knots` m of each gear group's way.
-inline constexpr double rut_knots = 2.0;
-Eigen::MatrixXd rut_sensitivities(const Case&, const std::vector<GearFacts>&, const Run&, const AlongRun&);
+/// 1 for what the bed is linearised at (strength, blocks, tables, depth, swings of the loads), else 0.
+Eigen::VectorXd bed_unknowns(const Layout&);
+
+/// Everything of an AlongRun that depends on the bed: alterations, response, read-off, sensitivities.
+void linearise_at(const Case&, const Layout&, const std::vector<GearFacts>&, std::size_t run,
+                  const Eigen::VectorXd& bed, AlongRun&);
+
+/// Spacing of the knots of the errors of deceleration and carried load, s.
+inline constexpr double noise_knots = 0.1;
 
 }  // namespace apc::learning

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apc/base/require.h"
+#include "apc/effects/other_forms.h"
 #include "apc/learning/weighing.h"
 
 namespace apc::learning {
@@ -43,12 +44,28 @@ void make_claims(const Background& b, const FamilyWise& null, const std::vector<
                    [](const Claim& a, const Claim& c) { return a.probability > c.probability; });
 }
 
+/// The effects of an explanation that have a size: one fitted at its neutral value explains nothing.
+std::vector<std::string> ids_with_size(const Explanation& x) {
+  std::vector<std::string> ids;
+  for (const std::string& id : x.ids) {
+    const auto fitted = std::find_if(x.fit.effects.begin(), x.fit.effects.end(),
+                                     [&](const effects::Applied& a) { return a.effect.id == id; });
+    if (fitted != x.fit.effects.end()) {
+      const effects::Parameter& p = fitted->effect.parameters.front();
+      if (std::abs(fitted->values.front() - p.neutral) < 1e-3 * (p.high - p.low)) continue;
+    }
+    ids.push_back(id);
+  }
+  return ids;
+}
+
 void make_set90(Diagnosis& d) {
   double sum = 0.0;
   std::set<std::vector<std::string>> seen;
   for (const Explanation& x : d.explanations) {
     if (x.kind == Hypothesis::Kind::learned) continue;
-    if (seen.insert(x.ids).second) d.set90.push_back(x.ids);
+    const auto ids = ids_with_size(x);
+    if (seen.insert(ids).second) d.set90.push_back(ids);
     sum += x.probability;
     if (sum >= 0.9 || d.set90.size() >= 4) break;
   }
@@ -78,7 +95,11 @@ void make_smallest(const Screen& screen, const std::vector<Single>& singles, con
   }
 }
 
-void decide(Diagnosis& d) {
+/// Nothing is missing, too, where that is so many times as probable as the most probable effect or a force to be
+/// learned: many that are hardly possible are not one that is likely. Only where all effects are weighed alike.
+constexpr double outshine = 3.0;
+
+void decide(Diagnosis& d, bool along) {
   double silent = 0.0, sensor = 0.0, learned = 0.0;
   for (const Explanation& x : d.explanations) {
     if (x.kind == Hypothesis::Kind::effect && x.ids.empty()) silent += x.probability;
@@ -94,7 +115,9 @@ void decide(Diagnosis& d) {
       }
   } else if (sensor > 0.5) {
     d.verdict = Verdict::sensor;
-  } else if (silent + sensor > 0.5) {
+  } else if (silent + sensor > 0.5 ||
+             (along &&
+              silent + sensor > outshine * std::max(learned, d.claims.empty() ? 0.0 : d.claims.front().probability))) {
     d.verdict = Verdict::nothing;
   } else if (!d.claims.empty() && d.claims.front().probability > 0.8 && silent + sensor < 0.1) {
     d.verdict = Verdict::found;
@@ -147,6 +170,7 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   study.along = balance_along(data, layout, options.threads);
   BackgroundOptions background;
   background.threads = options.threads;
+  if (study.along) background.iterations = 2;  // it carries joints and predictions only
   background.report = part(study.along ? 0.2 : 0.0, 0.5);
   study.background = fit_background(data, background);
   const Background& b = study.background;
@@ -154,8 +178,10 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
     std::vector<effects::Effect> fine;
     std::copy_if(options.effects.begin(), options.effects.end(), std::back_inserter(fine),
                  [](const effects::Effect& e) { return e.fine; });
-    study.screen = joined(weigh_along(*study.along, data, layout, options.effects, options.threads),
-                          screen(b, fine, part(0.5, 0.65)));
+    auto laws = options.effects;
+    laws.insert(laws.end(), effects::other_forms().begin(), effects::other_forms().end());
+    study.screen =
+        joined(weigh_along(*study.along, data, layout, laws, options.threads), screen(b, fine, part(0.5, 0.65)));
   } else {
     study.screen = screen(b, options.effects, part(0.5, 0.65));
   }
@@ -171,8 +197,8 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
     if (study.along && s.hypothesis->applied.effect.fine) {
       // Its depth, width and every run's place are fitted through the simulator; the gain counts in pairs, too.
       Explanation x = explained(b, nuisances, {started(*s.hypothesis, s.evidence.amplitude[0])}, s.hypothesis->places);
-      x.log_evidence =
-          std::max(s.log_evidence, simulated_share * (x.log_evidence - refine(b, nuisances, {}, 4).log_evidence));
+      x.log_evidence = std::max(
+          s.log_evidence, simulated_share(study.screen) * (x.log_evidence - refine(b, nuisances, {}, 4).log_evidence));
       fine_gain[s.hypothesis->id] = x.log_evidence - s.log_evidence;
       d.explanations.push_back(std::move(x));
     } else if (study.along) {
@@ -242,7 +268,7 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   make_set90(d);
   make_rivals(study.screen, singles, d);
   make_smallest(study.screen, singles, null, d);
-  decide(d);
+  decide(d, study.along.has_value());
   if (study.along && !d.augmented.empty()) add_nuisances(b, d);
   d.unexplained_share = 0.0;
   for (const Explanation& x : d.explanations)

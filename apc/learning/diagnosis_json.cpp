@@ -39,12 +39,14 @@ ordered_json claim_json(const Claim& claim) {
                           quantity(claim.applied.values[k] + 1.96 * claim.deviation[k], p.unit)};
   }
   for (const auto& [run, energy] : claim.work) work[run] = short_number(energy / units::kJ) + " kJ";
-  return {{"id", claim.id},
-          {"probability", std::stod(short_number(claim.probability))},
-          {"p_family_wise", std::stod(short_number(claim.p_family_wise))},
-          {"parameters", parameters},
-          {"interval95", interval},
-          {"work", work}};
+  ordered_json result = {{"id", claim.id},
+                         {"probability", std::stod(short_number(claim.probability))},
+                         {"p_family_wise", std::stod(short_number(claim.p_family_wise))},
+                         {"parameters", parameters},
+                         {"interval95", interval},
+                         {"work", work}};
+  if (const std::string& form = claim.applied.effect.form; !form.empty()) result["form"] = form;
+  return result;
 }
 
 ordered_json applied_json(const std::vector<effects::Applied>& list) {
@@ -53,7 +55,9 @@ ordered_json applied_json(const std::vector<effects::Applied>& list) {
     ordered_json parameters;
     for (std::size_t k = 0; k < applied.values.size(); ++k)
       parameters[applied.effect.parameters[k].name] = quantity(applied.values[k], applied.effect.parameters[k].unit);
-    result.push_back({{"id", applied.effect.id}, {"parameters", parameters}});
+    ordered_json one = {{"id", applied.effect.id}, {"parameters", parameters}};
+    if (!applied.effect.form.empty()) one["form"] = applied.effect.form;
+    result.push_back(std::move(one));
   }
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "apc/base/markup.h"
+#include "apc/effects/other_forms.h"
 #include "apc/learning/along_chart.h"
 #include "apc/learning/evidence_chart.h"
 #include "apc/learning/missing_force.h"
@@ -134,7 +135,7 @@ std::string learn_page(const Study& study, const NextPlan* next) {
     page += "<div class='wide'><table><tr><th>effect<th>probability<th>family-wise p<th>size (SI)<th>law</tr>";
     for (const Claim& c : d.claims) {
       const double deviation = c.deviation.empty() ? std::nan("") : c.deviation.front();
-      page += "<tr><td style='white-space:nowrap'>" + escaped(c.id) +
+      page += "<tr><td style='white-space:nowrap'>" + escaped(effects::named(c.applied.effect)) +
               format("<td>%.2f<td>%.4f<td>%.4g ± %.2g<td>", c.probability, c.p_family_wise, c.applied.values.front(),
                      deviation) +
               escaped(c.applied.effect.law) + "</tr>";

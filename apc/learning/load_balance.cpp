@@ -1,4 +1,4 @@
-#include "apc/learning/rut_balance.h"
+#include "apc/learning/load_balance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,12 @@
 namespace apc::learning {
 namespace {
 
-constexpr double least_rut = 0.002;
-/// Beds thinner than this are between the table's thinnest sample and pavement: blended, loads limited.
+/// Beds thinner than this are between the table's thinnest sample and pavement: the foam's drag fades.
 constexpr double thin = 0.12;
+
+/// Smoothing of vertical acceleration and pitch rate: only what changes as slowly as the aircraft bounces is load; the
+/// rest is vibration. Those of highest evidence without any effect over six cases with known truth.
+constexpr double swing_curvature = 6.0, pitching_curvature = 0.06;
 
 struct Share {
   double nose = 0.0, main = 0.0;  ///< m behind the nose gear
@@ -39,25 +42,36 @@ double rolling_ratio(const loadtables::LoadTable& table, double load) {
   return at.drag / at.vertical;
 }
 
-/// The penetration at which the rut is `rut`, between the rut itself and a deflection of 0.6 radii (regula falsi).
-template <class Load>
-double penetration_of(double rut, double radius, const Load& load) {
-  double low = rut, high = rut + 0.6 * radius;
-  double below = load(low).rut_depth - rut, above = load(high).rut_depth - rut;
-  if (below >= 0.0) return low;
+/// The penetration at which the load is the one carried (regula falsi, outwards from a guess).
+template <class Excess>
+double penetration_of(double guess, double most, const Excess& excess) {
+  double low = 0.0, high = std::min(guess, most), below = excess(0.0), above = excess(high);
+  while (above < 0.0 && high < most) {
+    low = high, below = above;
+    high = std::min(most, 1.15 * high + 0.005);
+    above = excess(high);
+  }
   if (above <= 0.0) return high;
+  if (below >= 0.0) return low;
+  if (low == 0.0) {  // the root is below the guess: near it, as a rule
+    const double near = 0.85 * high, there = excess(near);
+    if (there < 0.0)
+      low = near, below = there;
+    else
+      high = near, above = there;
+  }
   int side = 0;
   double middle = high;
-  for (int i = 0; i < 40 && high - low > 1e-6; ++i) {
+  for (int i = 0; i < 40 && high - low > 1e-5; ++i) {
     middle = (low * above - high * below) / (above - below);
-    const double excess = load(middle).rut_depth - rut;
-    if (std::abs(excess) < 2e-6) break;
-    if (excess < 0.0) {
-      low = middle, below = excess;
+    const double there = excess(middle);
+    if (std::abs(there) < 1e-4) break;
+    if (there < 0.0) {
+      low = middle, below = there;
       if (side == -1) above *= 0.5;
       side = -1;
     } else {
-      high = middle, above = excess;
+      high = middle, above = there;
       if (side == 1) below *= 0.5;
       side = 1;
     }
@@ -65,28 +79,82 @@ double penetration_of(double rut, double radius, const Load& load) {
   return middle;
 }
 
-/// Slope of the base: 0 where the base is level and the surface rises.
-double base_slope(const bed::Bed& bed, double place) {
-  return bed.flush == bed::Flush::top ? -bed.depth_slope_at(place) : 0.0;
+/// Slope of the base under a wheel: 0 where the base is level and the surface rises.
+double slope_under(const bed::Bed& bed, double place) {
+  return place > 0.0 && bed.flush == bed::Flush::top ? -bed.depth_slope_at(place) : 0.0;
 }
 
-/// α/sin θ of a sinking wheel, limited as in the simulation's law.
-double sinking_angle(double incline, double penetration, double radius) {
-  const double depth = std::min(penetration, radius);
+/// α/sin θ of a sinking wheel and its derivative by α, limited as in the simulation's law.
+struct Sinking {
+  double share = 0.0, by_incline = 0.0;
+};
+Sinking sinking_of(double incline, double penetration, double radius) {
+  const double depth = std::clamp(penetration, 0.0, radius);
   const double arc = std::sqrt(depth * (2.0 * radius - depth) / (radius * radius) + 0.06);
-  return 0.6 * std::tanh(incline / arc / 0.6);
+  const double share = std::tanh(incline / arc / 0.6);
+  return {0.6 * share, (1.0 - share * share) / arc};
 }
 
 /// Height of the centre of gravity above the axle, where drag acts.
 double arm(const Case& data, const GearFacts& gear) { return data.aircraft.cg_height - gear.radius + 0.05; }
 
-void add_force(Balance& b, const Case& data, const GearFacts& gear, const Run& run, std::size_t i, double fx, double fz,
-               double mass) {
-  const auto k = static_cast<Eigen::Index>(i);
-  b.along[k] += fx / mass;
-  b.up[k] += fz / mass;
-  b.pitching[k] +=
-      (fx * arm(data, gear) - fz * (gear.behind - run.overrun.cg_behind_nose_gear)) / run.overrun.pitch_inertia;
+/// One tire at one sample of a motion, with the penetrations before: what its load lacks of the one carried.
+struct Wheel {
+  const GearFacts& gear;
+  const effects::Alterations& alterations;
+  effects::TirePlace at;
+  double carried = 0.0, slope = 0.0;                ///< N; of the base
+  double last = 0.0, second_last = 0.0;             ///< m
+  double response = 1.0;                            ///< to sinking, × that of a rigid wheel
+  double way = 1.0, interval = 0.02, easing = 1.0;  ///< m and s since the last sample; → 0 at rest: no path then
+
+  TireLoad load(double penetration) {
+    at.contact.penetration = penetration;
+    return effects::load(*gear.table, alterations, gear.tire, at);
+  }
+  Sinking sinking(double penetration) const {
+    const Sinking s = sinking_of((penetration - last) / way * easing + slope, penetration, gear.radius);
+    return {response * s.share, response * s.by_incline};
+  }
+  double inertia() const { return gear.unsprung_mass / (interval * interval); }
+  /// Relative.
+  double excess(double penetration, const TireLoad& l) const {
+    return (l.vertical * (1.0 + sinking(penetration).share) - slope * l.drag +
+            inertia() * (penetration - 2.0 * last + second_last)) /
+               carried -
+           1.0;
+  }
+};
+
+/// Calls `each(gear, sample, wheel, penetration)` for every sample in the bed, in order of time.
+template <class Each>
+void along_the_bed(const std::vector<GearFacts>& gears, const Motion& m, const bed::Bed& bed,
+                   const effects::Alterations& alterations, const Each& each) {
+  for (std::size_t g = 0; g < gears.size(); ++g) {
+    const GearFacts& gear = gears[g];
+    double last = 0.0, second_last = 0.0;
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      const double place = m.place[i] - gear.behind, depth = place > 0.0 ? bed.depth_at(place) : 0.0;
+      if (depth <= 1e-4) {
+        last = second_last = 0.0;
+        continue;
+      }
+      const double v = std::max(m.speed[i], 0.1), way = i > 0 ? m.place[i] - m.place[i - 1] : 1.0;
+      Wheel wheel{gear,
+                  alterations,
+                  {{v, depth, 0.0}, place, m.place[i], m.time[i]},
+                  m.carried[g][i] / gear.wheels,
+                  slope_under(bed, place),
+                  last,
+                  second_last,
+                  m.sinking,
+                  std::max(way, 1e-3),
+                  m.interval,
+                  v * v / (v * v + 1.0)};
+      second_last = last;
+      last = each(g, i, wheel);
+    }
+  }
 }
 
 }  // namespace
@@ -103,148 +171,168 @@ std::vector<GearFacts> gear_facts(const Case& data) {
                     gear.behind_nose_gear,
                     gear.wheels(),
                     tire.radius(),
+                    gear.unsprung_mass * gear.struts / gear.wheels(),
                     &data.tables[g],
                     {g, gear.is_nose(), gear.wheels(), tire.width, tire.radius(), density}});
   }
   return list[0].nose != list[1].nose ? list : std::vector<GearFacts>{};
 }
 
-Balance balance_at_ruts(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const Motion& m,
-                        const effects::Alterations& alterations, std::vector<std::vector<double>>* penetration) {
+PerGear carried_loads(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const Motion& m,
+                      bool steady, double bias) {
+  const Share share = share_of(gears);
+  const double mass = run.overrun.mass, cg = run.overrun.cg_behind_nose_gear;
+  const double first = m.time.front() - 0.1, last = m.time.back() + 0.3;
+  std::optional<Smooth> up, turning;
+  const Channel *az = run.find(Quantity::acceleration_z), *rate = run.find(Quantity::pitch_rate);
+  // Without the turning, the vertical acceleration at its place in the cabin is not that of the whole aircraft.
+  if (az && rate && !steady) {
+    up = smooth(az->time, az->value, first, last, 0.05, az->noise, swing_curvature);
+    turning = smooth(rate->time, rate->value, first, last, 0.05, rate->noise, pitching_curvature);
+  }
+  PerGear carried(gears.size(), std::vector<double>(m.size()));
+  for (std::size_t i = 0; i < m.size(); ++i) {
+    const double t = m.time[i];
+    double rise = 0.0, turn = 0.0;
+    if (up) {
+      const double at = t + mean_lag * rate->lag;
+      turn = (turning->at(at + 0.1) - turning->at(at - 0.1)) / 0.2;
+      rise = up->at(t + mean_lag * az->lag) - bias - az->lever_arm * turn;
+    }
+    const double lift = 0.5 * simulation::air_density * std::pow(m.speed[i] + run.overrun.headwind, 2) *
+                        data.aircraft.aero.area * data.aircraft.aero.CL;
+    const double total = std::max(0.3 * mass * units::g0, mass * (rise + units::g0) - lift);
+    const double slowing = -(m.at(m.speed, t + 0.1) - m.at(m.speed, t - 0.1)) / 0.2;
+    const double moment =
+        run.overrun.pitch_inertia * turn + mass * std::max(0.0, slowing) * arm(data, gears[gears[0].nose ? 1 : 0]);
+    const double nose = (moment + total * (share.main - cg)) / (share.main - share.nose);
+    for (std::size_t g = 0; g < gears.size(); ++g)
+      carried[g][i] = std::max(gears[g].nose ? nose : total - nose,
+                               least_share * gears[g].wheels * share.static_load(gears[g], mass, cg));
+  }
+  return carried;
+}
+
+Balance balance_at_loads(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const Motion& m,
+                         const effects::Alterations& alterations) {
   aircraft::Aircraft craft = data.aircraft;
   bed::Bed bed = data.bed;
   const double mass = run.overrun.mass;
   effects::Site site{craft, bed, mass, run.overrun.cg_behind_nose_gear};
   effects::alter_site(alterations, site);
   const Share share = share_of(gears);
-  const std::vector<double> none(m.size(), 0.0);
   Balance b;
-  b.drag.assign(gears.size(), none), b.vertical = b.force_x = b.force_z = b.drag;
-  const auto n = static_cast<Eigen::Index>(m.size());
-  b.along = Eigen::VectorXd::Zero(n), b.up = b.pitching = b.along;
-  if (penetration) penetration->assign(gears.size(), none);
-  std::vector<double> ratio;
-  for (const GearFacts& gear : gears)
-    ratio.push_back(rolling_ratio(*gear.table, share.static_load(gear, mass, run.overrun.cg_behind_nose_gear)));
+  b.drag.assign(gears.size(), std::vector<double>(m.size(), 0.0));
+  b.vertical = b.rut = b.penetration = b.force_x = b.drag;
+  b.along = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m.size()));
   for (std::size_t i = 0; i < m.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
     const double v = std::max(m.speed[i], 0.1);
-    const double pressure = 0.5 * simulation::air_density * std::pow(v + run.overrun.headwind, 2) * craft.aero.area;
-    b.along[k] =
+    const double pressure =
+        0.5 * simulation::air_density * std::pow(v + run.overrun.headwind + site.headwind, 2) * craft.aero.area;
+    b.along[static_cast<Eigen::Index>(i)] =
         (-pressure * craft.aero.CD + alterations.thrust(m.time[i]) + run.overrun.thrust) / mass - units::g0 * bed.grade;
-    b.up[k] = pressure * craft.aero.CL / mass - units::g0;
-    b.pitching[k] = pressure * craft.aero.CM / run.overrun.pitch_inertia;
-    for (std::size_t g = 0; g < gears.size(); ++g) {
-      const GearFacts& gear = gears[g];
-      const double place = m.place[i] - gear.behind, depth = place > 0.0 ? bed.depth_at(place) : 0.0;
-      const double standing = share.static_load(gear, mass, run.overrun.cg_behind_nose_gear);
-      const double rolling = ratio[g];
-      double drag = rolling * standing, vertical = standing, slope = 0.0;
-      if (depth > 1e-4) {
-        effects::TirePlace at{{v, depth, 0.0}, place, m.place[i], m.time[i]};
-        const auto load = [&](double P) {
-          at.contact.penetration = P;
-          return effects::load(*gear.table, alterations, gear.tire, at);
-        };
-        const double P = penetration_of(std::max(m.rut[g][i], least_rut), gear.radius, load);
-        const TireLoad found = load(P);
-        if (penetration) (*penetration)[g][i] = P;
-        double here = found.drag, weight = found.vertical;
-        if (depth < thin) {
-          double u = depth / thin;
-          u = u * u * (3.0 - 2.0 * u);
-          weight = u * std::min(weight, 2.0 * standing) + (1.0 - u) * standing;
-          here = u * std::min(here, 0.5 * standing);
-        }
-        slope = base_slope(bed, place);
-        const double incline = m.incline.empty() ? 0.0 : m.incline[g][i];
-        vertical = weight * (1.0 + sinking_angle(incline, P, gear.radius));
-        drag = here + rolling * vertical;
-      }
-      b.drag[g][i] = drag * gear.wheels, b.vertical[g][i] = vertical * gear.wheels;
-      const double cosine = 1.0 / std::sqrt(1.0 + slope * slope), sine = slope * cosine;
-      b.force_x[g][i] = gear.wheels * (-drag * cosine - vertical * sine);
-      b.force_z[g][i] = gear.wheels * (vertical * cosine - drag * sine);
-      add_force(b, data, gear, run, i, b.force_x[g][i], b.force_z[g][i], mass);
+  }
+  std::vector<double> rolling;
+  for (std::size_t g = 0; g < gears.size(); ++g) {
+    rolling.push_back(
+        rolling_ratio(*gears[g].table, share.static_load(gears[g], mass, run.overrun.cg_behind_nose_gear)));
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      b.vertical[g][i] = m.carried[g][i];
+      b.drag[g][i] = rolling[g] * m.carried[g][i];
     }
   }
+  along_the_bed(gears, m, bed, alterations, [&](std::size_t g, std::size_t i, Wheel& wheel) {
+    TireLoad found;
+    const double depth = wheel.at.contact.bed_depth;
+    const double P = penetration_of(std::max(0.004, wheel.last), depth + 0.6 * wheel.gear.radius, [&](double p) {
+      found = wheel.load(p);
+      return wheel.excess(p, found);
+    });
+    found = wheel.load(P);
+    const double u = std::min(1.0, depth / thin);
+    b.penetration[g][i] = P, b.rut[g][i] = found.rut_depth;
+    b.drag[g][i] += wheel.gear.wheels * u * u * (3.0 - 2.0 * u) * found.drag;
+    return P;
+  });
+  for (std::size_t g = 0; g < gears.size(); ++g)
+    for (std::size_t i = 0; i < m.size(); ++i) {
+      const double slope = slope_under(bed, m.place[i] - gears[g].behind);
+      b.force_x[g][i] = -(b.drag[g][i] + b.vertical[g][i] * slope) / std::sqrt(1.0 + slope * slope);
+      b.along[static_cast<Eigen::Index>(i)] += b.force_x[g][i] / mass;
+    }
   return b;
 }
 
-Balance changed(const Balance& base, const Case& data, const std::vector<GearFacts>& gears, const Run& run,
-                const Motion& m, const std::function<LoadChange(std::size_t, std::size_t)>& change) {
+void load_motion(const Case& data, const std::vector<GearFacts>& gears, const Run& run, Motion& m) {
+  m.steady = carried_loads(data, gears, run, m, true);
+  m.carried = m.swing = carried_loads(data, gears, run, m, false);
+  for (std::size_t g = 0; g < gears.size(); ++g)
+    for (std::size_t i = 0; i < m.size(); ++i) m.swing[g][i] -= m.steady[g][i];
+}
+
+Balance Response::to(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const Motion& m,
+                     const std::function<LoadChange(std::size_t, std::size_t)>& by) const {
   Balance b = base;
-  for (std::size_t g = 0; g < gears.size(); ++g)
+  for (std::size_t g = 0; g < gears.size(); ++g) {
+    double last = 0.0, second_last = 0.0;  // changes of the penetrations before
     for (std::size_t i = 0; i < m.size(); ++i) {
-      const double place = m.place[i] - gears[g].behind;
-      if (place <= 0.0 || data.bed.depth_at(place) <= 1e-4) continue;
-      const LoadChange c = change(g, i);
-      if (c.drag == 0.0 && c.vertical == 0.0) continue;
-      const double slope = base_slope(data.bed, place), cosine = 1.0 / std::sqrt(1.0 + slope * slope),
-                   sine = slope * cosine;
-      const double drag = base.drag[g][i] * c.drag, vertical = base.vertical[g][i] * c.vertical;
-      const double fx = -drag * cosine - vertical * sine, fz = vertical * cosine - drag * sine;
-      b.force_x[g][i] += fx, b.force_z[g][i] += fz;
-      add_force(b, data, gears[g], run, i, fx, fz, run.overrun.mass);
+      if (load_by_depth[g][i] == 0.0) continue;
+      const LoadChange c = by(g, i);
+      const double forced = load_by_strength[g][i] * c.strength + c.table_vertical - c.carried +
+                            load_by_last[g][i] * last + load_by_second_last[g][i] * second_last;
+      const double deeper = -forced / load_by_depth[g][i];
+      second_last = last, last = deeper;
+      if (deeper == 0.0 && c.drag == 0.0 && c.strength == 0.0 && c.carried == 0.0) continue;
+      const double drag = c.drag * base.drag[g][i] + drag_by_strength[g][i] * c.strength + drag_by_depth[g][i] * deeper;
+      const double slope = slope_under(data.bed, m.place[i] - gears[g].behind);
+      const double force = -(drag + c.carried * base.vertical[g][i] * slope) / std::sqrt(1.0 + slope * slope);
+      b.drag[g][i] += drag, b.vertical[g][i] *= 1.0 + c.carried, b.penetration[g][i] += deeper;
+      b.rut[g][i] += rut_by_strength[g][i] * c.strength + rut_by_depth[g][i] * deeper;
+      b.force_x[g][i] += force;
+      b.along[static_cast<Eigen::Index>(i)] += force / run.overrun.mass;
     }
+  }
   return b;
 }
 
-void settle(const Case& data, const std::vector<GearFacts>& gears, const Run& run, Motion& m) {
-  effects::Alterations plain;
-  plain.conditions = run.conditions;
-  Balance b = balance_at_ruts(data, gears, run, m, plain, &m.penetration);
-  const Channel *az = run.find(Quantity::acceleration_z), *rate = run.find(Quantity::pitch_rate);
-  if (az && rate) {
-    const double first = m.time.front() - 0.1, last = m.time.back() + 0.3;
-    const Smooth up = smooth(az->time, az->value, first, last, 0.05, az->noise, 60.0),
-                 turning = smooth(rate->time, rate->value, first, last, 0.05, rate->noise, 5.0);
-    const Share share = share_of(gears);
-    const double mass = run.overrun.mass, cg = run.overrun.cg_behind_nose_gear;
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      if (m.place[i] - share.main < 1.0) continue;
-      const double t = m.time[i], turn = (turning.at(t + 0.1) - turning.at(t - 0.1)) / 0.2;
-      const double lift =
-          0.5 * simulation::air_density * m.speed[i] * m.speed[i] * data.aircraft.aero.area * data.aircraft.aero.CL;
-      const double total = mass * (up.at(t) - az->lever_arm * turn + units::g0) - lift;
-      const double drag = -mass * std::max(0.0, -b.along[static_cast<Eigen::Index>(i)]);
-      const double moment = run.overrun.pitch_inertia * turn - drag * arm(data, gears[gears[0].nose ? 1 : 0]);
-      const double nose = (moment + total * (share.main - cg)) / (share.main - share.nose);
-      for (std::size_t g = 0; g < gears.size(); ++g) {
-        const GearFacts& gear = gears[g];
-        const double depth = data.bed.depth_at(m.place[i] - gear.behind);
-        if (m.penetration[g][i] <= 0.0 || depth < 0.1) continue;
-        const double wanted = std::max(100.0, (gear.nose ? nose : total - nose) / gear.wheels),
-                     surveyed = std::max(m.rut[g][i], least_rut);
-        const double load_error = 0.1 * wanted + 0.05 * mass * units::g0 / 6.0;
-        double best = 1e300;
-        for (double P = 0.5 * surveyed; P < surveyed + 0.5 * gear.radius; P += 0.002) {
-          const TireLoad l = gear.table->load({m.speed[i], depth, P});
-          const double miss =
-              std::pow((l.rut_depth - surveyed) / 0.01, 2) + std::pow((l.vertical - wanted) / load_error, 2);
-          if (miss < best) best = miss, m.rut[g][i] = l.rut_depth;
-          if (l.vertical > 4.0 * wanted && l.rut_depth > surveyed) break;
-        }
-      }
-    }
-    for (auto& rut : m.rut) {  // over 0.14 s, as the search leaves steps
-      const auto rough = rut;
-      for (std::size_t i = 3; i + 3 < rut.size(); ++i) {
-        rut[i] = 0.0;
-        for (std::size_t j = i - 3; j <= i + 3; ++j) rut[i] += rough[j] / 7.0;
-      }
-    }
-    b = balance_at_ruts(data, gears, run, m, plain, &m.penetration);
-  }
-  m.incline.assign(gears.size(), std::vector<double>(m.size(), 0.0));
-  for (std::size_t g = 0; g < gears.size(); ++g)
-    for (std::size_t i = 0; i < m.size(); ++i) {
-      if (m.penetration[g][i] <= 0.0) continue;
-      const std::size_t a = i > 5 ? i - 5 : 0, c = std::min(m.size() - 1, i + 5);
-      const double dx = m.place[c] - m.place[a], v = m.speed[i];
-      const double path = dx > 0.02 ? (m.penetration[g][c] - m.penetration[g][a]) / dx : 0.0;
-      m.incline[g][i] = path * v * v / (v * v + 1.0) + base_slope(data.bed, m.place[i] - gears[g].behind);
-    }
+Response response_at_loads(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const Motion& m,
+                           const effects::Alterations& alterations) {
+  constexpr double deeper = 0.004, stronger = 0.04;
+  Response r;
+  r.base = balance_at_loads(data, gears, run, m, alterations);
+  const PerGear zero(gears.size(), std::vector<double>(m.size(), 0.0));
+  r.load_by_depth = r.load_by_strength = r.drag_by_depth = r.drag_by_strength = r.rut_by_depth = r.rut_by_strength =
+      zero;
+  r.load_by_last = r.load_by_second_last = r.sinking = zero;
+  effects::Alterations strong = alterations;
+  strong.bed_strength *= std::exp(stronger);
+  aircraft::Aircraft craft = data.aircraft;
+  bed::Bed bed = data.bed;
+  effects::Site site{craft, bed, run.overrun.mass, run.overrun.cg_behind_nose_gear};
+  effects::alter_site(alterations, site);
+  along_the_bed(gears, m, bed, alterations, [&](std::size_t g, std::size_t i, Wheel& wheel) {
+    const double P = r.base.penetration[g][i], wheels = wheel.gear.wheels;
+    const TireLoad here = wheel.load(P), below = wheel.load(P + deeper), above = wheel.load(std::max(0.0, P - deeper));
+    Wheel in_strong{wheel.gear, strong, wheel.at};
+    const TireLoad changed = in_strong.load(P);
+    const double both = P + deeper - std::max(0.0, P - deeper), u = std::min(1.0, wheel.at.contact.bed_depth / thin),
+                 part = wheels * u * u * (3.0 - 2.0 * u);
+    const Sinking sinking = wheel.sinking(P);
+    const double by_path = here.vertical * sinking.by_incline * wheel.easing / wheel.way;
+    r.load_by_depth[g][i] =
+        std::max(0.05, ((below.vertical - above.vertical) / both * (1.0 + sinking.share) + by_path + wheel.inertia()) /
+                           wheel.carried);
+    r.load_by_last[g][i] = -(by_path + 2.0 * wheel.inertia()) / wheel.carried;
+    r.load_by_second_last[g][i] = wheel.inertia() / wheel.carried;
+    r.load_by_strength[g][i] = (changed.vertical - here.vertical) / stronger * (1.0 + sinking.share) / wheel.carried;
+    r.drag_by_depth[g][i] = part * (below.drag - above.drag) / both;
+    r.drag_by_strength[g][i] = part * (changed.drag - here.drag) / stronger;
+    r.rut_by_depth[g][i] = (below.rut_depth - above.rut_depth) / both;
+    r.rut_by_strength[g][i] = (changed.rut_depth - here.rut_depth) / stronger;
+    r.sinking[g][i] = sinking.share / (1.0 + sinking.share);
+    return P;
+  });
+  return r;
 }
 
 }  // namespace apc::learning

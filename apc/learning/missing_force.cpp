@@ -38,23 +38,23 @@ std::vector<MissingForce> along_motion(const Study& study) {
     alterations.conditions = run.conditions;
     alterations.effects = study.diagnosis.augmented;
     const Eigen::VectorXd with =
-        read_off(a.readings, run, a.motion, balance_at_ruts(*study.background.data, gears, run, a.motion, alterations),
-                 run.overrun.entry_speed);
+        read_off(a.readings, gears, run, a.motion,
+                 balance_at_loads(*study.background.data, gears, run, a.motion, alterations), run.overrun.entry_speed);
     const auto main = static_cast<std::size_t>(
         std::find_if(gears.begin(), gears.end(), [](const GearFacts& g) { return !g.nose; }) - gears.begin());
     for (std::size_t i = 0; i < a.readings.size(); ++i) {
       const Reading& reading = a.readings[i];
-      if (reading.is_stop() || reading.quantity != Quantity::acceleration_x) continue;
+      if (!reading.is(Quantity::acceleration_x)) continue;
       const double when = 0.5 * (reading.from + reading.to);
       const auto k = static_cast<Eigen::Index>(i);
       MissingForce m;
       m.run = r, m.time = when;
       m.place = a.motion.at(a.motion.place, when), m.speed = a.motion.at(a.motion.speed, when);
-      m.penetration = a.motion.at(a.motion.penetration[main], when);
-      m.vertical = a.motion.at(a.balance.vertical[main], when);
+      m.penetration = a.motion.at(a.nominal.penetration[main], when);
+      m.vertical = a.motion.at(a.nominal.vertical[main], when);
       // A deceleration the model lacks: it predicts more speed than was measured.
-      m.missing = -a.difference[k] / units::g0;
-      m.left = (with[k] - a.predicted[k] - a.difference[k]) / units::g0;
+      m.missing = (a.plain[k] - a.measured[k]) / units::g0;
+      m.left = (with[k] - a.measured[k]) / units::g0;
       all.push_back(m);
     }
   }

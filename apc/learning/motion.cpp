@@ -6,8 +6,6 @@
 namespace apc::learning {
 namespace {
 
-constexpr double rut_curvature = 0.02;
-
 double linear(const std::vector<double>& values, double place) {
   if (place <= 0.0) return values.front();
   const auto last = static_cast<double>(values.size() - 1);
@@ -38,6 +36,7 @@ std::vector<double> pitch_of(const Run& run, const Motion& m) {
     return pitch;
   }
   const Channel* c = run.find(Quantity::pitch_rate);
+  if (!c) return pitch;
   const Smooth s = smooth(c->time, c->value, first, last, 0.05, c->noise, 5.0);
   double before = 0.0;
   int count = 0;
@@ -91,12 +90,7 @@ Smooth smooth(const std::vector<double>& x, const std::vector<double>& y, double
 std::optional<Motion> measured_motion(const Case& data, const Layout& layout, std::size_t r) {
   const Run& run = data.runs[r];
   const Channel* speed = run.find(Quantity::speed);
-  if (!speed || !run.find(Quantity::acceleration_x) || !run.survey) return std::nullopt;
-  if (!run.find(Quantity::pitch) && !run.find(Quantity::pitch_rate)) return std::nullopt;
-  const auto usable = [](const std::vector<double>& rut) {
-    return std::count_if(rut.begin(), rut.end(), [](double v) { return std::isfinite(v); }) > 20;
-  };
-  if (!usable(run.survey->nose_rut) || !usable(run.survey->main_rut)) return std::nullopt;
+  if (!speed) return std::nullopt;
   const auto guide = make_guide(run, layout.runs[r], prior_mean(layout, data.runs));
   if (!guide) return std::nullopt;
 
@@ -112,14 +106,6 @@ std::optional<Motion> measured_motion(const Case& data, const Layout& layout, st
   if (m.size() < 50) return std::nullopt;
   m.place = way(m);
   m.pitch = pitch_of(run, m);
-  for (const auto& gear : data.aircraft.gears) {
-    std::vector<double> x = run.survey->distance, y = gear.is_nose() ? run.survey->nose_rut : run.survey->main_rut;
-    x.insert(x.end(), {-2.0, -0.5}), y.insert(y.end(), {0.0, 0.0});
-    const Smooth s = smooth(x, y, -4.0, m.place.back() + 8.0, 0.5, std::max(0.012, run.survey->noise), rut_curvature);
-    std::vector<double> rut;
-    for (const double place : m.place) rut.push_back(std::max(0.0, s.at(place - gear.behind_nose_gear)));
-    m.rut.push_back(std::move(rut));
-  }
   return m;
 }
 

@@ -1,28 +1,31 @@
-/// Means of instrument readings over short windows, and what a balance of forces makes of them: speed,
-/// acceleration_x, acceleration_z, changes of the pitch rate, and the stop.
+/// Means of measured readings over short windows, and what a balance of forces makes of them: speed, acceleration_x,
+/// the stop, and the surveyed ruts.
 #pragma once
 
-#include "apc/learning/rut_balance.h"
+#include "apc/learning/load_balance.h"
 
 namespace apc::learning {
 
-/// One mean. `channel` is npos for the stop; a pitch-rate reading is the difference of the means of two windows.
+/// One mean: over 0.1 s of a channel, over 2 m of a surveyed rut, or the stop alone.
 struct Reading {
-  static constexpr std::size_t no_channel = static_cast<std::size_t>(-1);
-  std::size_t channel = no_channel;
+  enum class Kind { signal, stop, rut };
+  Kind kind = Kind::signal;
+  std::size_t channel = 0;  ///< signals
   Quantity quantity = Quantity::speed;
-  double from = 0.0, to = 0.0;          ///< s
+  std::size_t gear = 0;                 ///< ruts: which group's
+  double from = 0.0, to = 0.0;          ///< s; ruts: m from the leading edge
   double value = 0.0, deviation = 1.0;  ///< of independent noise
-  bool is_stop() const { return channel == no_channel; }
+  bool is(Quantity q) const { return kind == Kind::signal && quantity == q; }
 };
 
-/// Windows of 0.1 s of the whole motion; vertical channels from where the main gear is in the full depth of the bed.
+/// Of the whole motion; ruts only where the bed is as deep as the tables' thinnest sample.
 std::vector<Reading> readings_of(const Case&, const std::vector<GearFacts>&, const Run&, const Motion&);
 
-/// What the instruments would have read, mean lags included, when the balance held and the entry speed was this.
-Eigen::VectorXd read_off(const std::vector<Reading>&, const Run&, const Motion&, const Balance&, double entry_speed);
+/// What would have been read, mean lags included, when the balance held and the entry speed was this.
+Eigen::VectorXd read_off(const std::vector<Reading>&, const std::vector<GearFacts>&, const Run&, const Motion&,
+                         const Balance&, double entry_speed);
 
-/// Mean delay of a channel, s.
+/// Mean delay of a reading, s.
 double mean_delay(const Run&, const Reading&);
 
 }  // namespace apc::learning

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
@@ -246,6 +247,18 @@ void add_learned(const Background& b, Collector& collector, std::vector<Hypothes
 
 }  // namespace
 
+void share_shapes(std::vector<Hypothesis>& list) {
+  std::map<std::string, std::array<double, 2>> counts;  // shapes of the catalogue's law, of other forms
+  for (const Hypothesis& h : list)
+    if (h.kind == Hypothesis::Kind::effect) counts[h.id][h.applied.effect.form.empty() ? 0 : 1] += 1.0;
+  for (Hypothesis& h : list) {
+    if (h.kind != Hypothesis::Kind::effect) continue;
+    const auto& [own, other] = counts[h.id];
+    if (own > 0.0 && other > 0.0)
+      h.candidate.log_weight += std::log(0.5 * (own + other) / (h.applied.effect.form.empty() ? own : other));
+  }
+}
+
 Eigen::MatrixXd exponential_factor(Eigen::Index n, double spacing, double length, double deviation) {
   Eigen::MatrixXd covariance(n, n);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -268,6 +281,14 @@ std::vector<Applied> shapes_of(const Effect& effect, double longest) {
     one.values[parameter] = value;
     result.push_back(one);
   };
+  if (!effect.shapes.empty()) {
+    for (const auto& shape : effect.shapes) {
+      Applied one = neutral;
+      std::copy(shape.begin(), shape.end(), one.values.begin() + 1);
+      result.push_back(std::move(one));
+    }
+    return result;
+  }
   if (effect.id == "tire_loss") {
     for (double at = 5.0; at < longest - 5.0; at += 5.0) with(1, at);
     return result;
@@ -292,7 +313,8 @@ Screen screen(const Background& b, const std::vector<Effect>& effects, const Rep
   add_fine(b, effects, collector, result.hypotheses);
   if (report) report(0.6, "screening effects");
   add_sensors(b, collector, result.hypotheses);
-  add_learned(b, collector, result.hypotheses);
+  if (std::any_of(effects.begin(), effects.end(), [](const Effect& e) { return !e.fine; }))
+    add_learned(b, collector, result.hypotheses);
   result.scores = collector.scores();
   if (report) report(1.0, "screened");
   return result;

@@ -24,12 +24,18 @@ struct Screen {
   double temper = 4.0;  ///< evidence is divided by this before it becomes probability; chosen on cases with known truth
 };
 
-/// `effects`: the catalogue and the user's own. Simulates each effect column once per run.
+/// `effects`: the catalogue and the user's own; simulates each effect column once per run. Forces are learned beside
+/// them only where there are others than fine ones: joints alone are asked for beside a screen along the measured
+/// motion.
 Screen screen(const Background&, const std::vector<effects::Effect>& effects, const Report&);
 
 /// Shapes worth trying for an effect where the longest run is this long (m): the amplitude is left at its neutral
 /// value.
 std::vector<effects::Applied> shapes_of(const effects::Effect&, double longest_way);
+
+/// Half the prior of an effect that is listed in other forms, too, goes to the catalogue's law, half to the others,
+/// evenly over their shapes.
+void share_shapes(std::vector<Hypothesis>&);
 
 /// Lower factor of σ² exp(−|i − j| spacing / length): the prior of what is learned at evenly spaced knots.
 Eigen::MatrixXd exponential_factor(Eigen::Index n, double spacing, double length, double deviation);

@@ -8,7 +8,8 @@ namespace apc::learning {
 namespace {
 
 /// Prior odds against no effect. Chosen on cases with known truth, as the tempers of the two screens.
-constexpr double odds_effect = 0.5, odds_pair = 0.15, odds_sensor = 0.1, odds_sensor_along = 0.3, odds_learned = 0.02;
+constexpr double odds_effect = 0.5, odds_pair = 0.15, odds_sensor = 0.1, odds_learned = 0.02;
+constexpr double odds_effect_along = 2.0, odds_pair_along = 0.3, odds_sensor_along = 0.5;
 /// A tire that loses its pressure at the same place in every run is a rare thing, and with its free place a flexible
 /// one.
 constexpr double odds_tire_loss = 0.1;
@@ -37,7 +38,8 @@ Odds odds_of(bool along, std::size_t effects, const std::vector<Explanation>& li
   double sensors = 1.0;
   for (const Explanation& x : list) sensors += x.kind == Hypothesis::Kind::sensor ? 1.0 : 0.0;
   const auto n = static_cast<double>(effects);
-  if (along) return {odds_effect / n, odds_pair / (0.5 * n * (n - 1.0)), odds_sensor_along / sensors, odds_learned};
+  if (along)
+    return {odds_effect_along / n, odds_pair_along / (0.5 * n * (n - 1.0)), odds_sensor_along / sensors, odds_learned};
   return {4.0 * odds_effect / n, 4.0 * odds_pair / n, 4.0 * odds_sensor / sensors, odds_learned};
 }
 
@@ -119,13 +121,14 @@ Explanation weighed(const Background& b, const std::vector<const Hypothesis*>& s
   return x;
 }
 
+double simulated_share(const Screen& along) { return along.temper / Screen{}.temper; }
+
 Screen joined(Screen along, const Screen& simulated) {
-  along.temper = temper_along;
   std::vector<Hypothesis> fine;
   for (const Hypothesis& h : simulated.hypotheses)
     if (h.kind == Hypothesis::Kind::effect && h.applied.effect.fine) fine.push_back(h);
   const Eigen::Index n = along.scores.gram.rows(), k = static_cast<Eigen::Index>(fine.size());
-  constexpr double scale = simulated_share;
+  const double scale = simulated_share(along);
   Scores both{Eigen::MatrixXd::Zero(n + k, n + k), Eigen::VectorXd::Zero(n + k), along.scores.misfit};
   both.gram.topLeftCorner(n, n) = along.scores.gram, both.score.head(n) = along.scores.score;
   for (Eigen::Index i = 0; i < k; ++i) {

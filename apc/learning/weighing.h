@@ -29,7 +29,7 @@ Explanation explained(const Background&, const NuisanceFactor&, const std::vecto
 Explanation weighed(const Background&, const std::vector<const Hypothesis*>& set, const Evidence&, double log_evidence);
 
 /// What evidence through the simulator counts beside evidence along the measured motion: the ratio of their tempers.
-inline constexpr double temper_along = 1.5, temper_simulated = 4.0, simulated_share = temper_along / temper_simulated;
+double simulated_share(const Screen& along);
 
 /// The screen along the measured motion, with the joints of the simulated one: they act between surveyed places and far
 /// faster than the balance is read, so the two share nothing.

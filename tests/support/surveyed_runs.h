@@ -16,6 +16,7 @@ struct SurveyedRuns {
   double table_error = 0.0;  ///< rms of the tables' errors: mean and slope along the speed at three penetrations
   double accelerometer_scale = 1.0;   ///< what the accelerometers read along x, × the truth
   double accelerometer_offset = 0.0;  ///< m/s², what they read along x beyond that, as when tilted
+  double sinking = 1.7;               ///< response to sinking, × a rigid wheel's: what SPH gives flexible tires
   double ramp = 15.24;                ///< m
   unsigned seed = 1;
 };
@@ -46,7 +47,7 @@ inline learning::Run surveyed_run(const simulation::Model& model, const Surveyed
   run.uncertainty = {0.01 * wanted.masses[r], 0.02, 0.03 * run.overrun.pitch_inertia, 0.2, 0.8, 0.01};
 
   simulation::Overrun truth = run.overrun;
-  truth.sinking = {1.0, 0.0};
+  truth.sinking = {wanted.sinking, 0.0};
   truth.alterations.effects = wanted.hidden;
   truth.alterations.table_errors = table_errors;
   for (std::size_t g = 0; g < model.aircraft.gears.size(); ++g) {

@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "apc/effects/catalogue.h"
+#include "apc/effects/other_forms.h"
 #include "apc/learning/weighing.h"
 #include "tests/support/surveyed_runs.h"
 
@@ -17,14 +17,16 @@ std::map<std::string, double> probabilities(const testing::SurveyedRuns& wanted)
   const Case data = testing::surveyed_case(wanted);
   const Layout layout = make_layout(data, data.runs);
   const auto along = balance_along(data, layout, 0);
-  const Screen screen = weigh_along(*along, data, layout, effects::catalogue(), 0);
+  auto laws = effects::catalogue();
+  laws.insert(laws.end(), effects::other_forms().begin(), effects::other_forms().end());
+  const Screen screen = weigh_along(*along, data, layout, laws, 0);
   Background none;
   std::vector<Explanation> list(1);
   const auto singles = best_shapes(screen);
   for (const Single& s : singles) list.push_back(weighed(none, {s.hypothesis}, s.evidence, s.log_evidence));
   std::vector<SensorClaim> sensors;
   add_linear(screen, list, sensors);
-  weigh(list, true, singles.size(), temper_along);
+  weigh(list, true, singles.size(), screen.temper);
   std::map<std::string, double> result;
   for (const Explanation& x : list)
     result[x.kind == Hypothesis::Kind::sensor    ? "~"

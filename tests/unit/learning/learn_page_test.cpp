@@ -27,7 +27,7 @@ TEST(LearnPage, ShowsWhatUsersWroteAndReadsNoneOfItAsMarkup) {
   explanation.ids = {"id " + hostile};
   diagnosis.explanations.push_back(explanation);
   Claim claim;
-  claim.id = "claim " + hostile;
+  claim.id = claim.applied.effect.id = "claim " + hostile;
   claim.applied.values = {1.0};
   claim.applied.effect.law = "law " + hostile;
   diagnosis.claims.push_back(claim);

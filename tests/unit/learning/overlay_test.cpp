@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "apc/base/file.h"
-#include "apc/effects/catalogue.h"
+#include "apc/effects/other_forms.h"
 #include "apc/learning/diagnosis_json.h"
 
 namespace apc::learning {
@@ -21,6 +21,8 @@ TEST(Overlay, EveryEffectOfTheCatalogueIsReadBackAsItWasWritten) {
   study.background.runs[0].overrun.entry_speed = 30.0, study.background.runs[0].overrun.mass = 60000.0;
   for (const auto& effect : effects::catalogue())
     study.diagnosis.augmented.push_back(effects::applied(effect, effect.parameters.front().usual));
+  for (const auto& effect : effects::other_forms())
+    study.diagnosis.augmented.push_back(effects::applied(effect, effect.parameters.front().usual));
   const auto path = std::filesystem::path(testing::TempDir()) / "apc_overlay_test.json";
   write_text(path, overlay_json(study, "apc learn"));
   const auto read = load_overlay(path, effects::catalogue());
@@ -29,6 +31,7 @@ TEST(Overlay, EveryEffectOfTheCatalogueIsReadBackAsItWasWritten) {
   for (std::size_t i = 0; i < read.size(); ++i) {
     const auto& wanted = study.diagnosis.augmented[i];
     EXPECT_EQ(read[i].effect.id, wanted.effect.id);
+    EXPECT_EQ(read[i].effect.form, wanted.effect.form);
     for (std::size_t k = 0; k < wanted.values.size(); ++k)
       EXPECT_NEAR(read[i].values[k], wanted.values[k], 1e-4 * std::abs(wanted.values[k]))
           << wanted.effect.id << "." << wanted.effect.parameters[k].name;
