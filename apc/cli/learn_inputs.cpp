@@ -9,8 +9,8 @@
 #include "apc/base/progress.h"
 #include "apc/base/require.h"
 #include "apc/base/units.h"
-#include "apc/effects/other_forms.h"
 #include "apc/effects/effect_json.h"
+#include "apc/effects/other_forms.h"
 
 namespace apc::cli {
 
