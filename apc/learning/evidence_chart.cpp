@@ -61,7 +61,7 @@ std::string parameter_intervals(const Study& study) {
       claims.push_back(&c);
   if (claims.empty()) return "";
   std::string svg = fmt::format("<svg viewBox='0 0 720 {:.0f}' role='img' aria-label='Intervals of amplitudes'>",
-                                40.0 * static_cast<double>(claims.size()) + 6.0);
+                                std::max(92.0, 40.0 * static_cast<double>(claims.size()) + 6.0));
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Claim& c = *claims[i];
     const effects::Parameter& p = c.applied.effect.parameters.front();

@@ -40,7 +40,9 @@ TEST(Tutorials, TheFaaPairCannotBeToldApartAndASlowRunWithRutsWould) {
   std::printf("apart at 30, 50, 60 kt: %.1f, %.1f, %.1f; by the stop alone %.1f, %.1f, %.1f\n",
               plan.at(0, 0).separation.back(), plan.at(1, 0).separation.back(), plan.at(2, 0).separation.back(),
               plan.at(0, 0).separation.front(), plan.at(1, 0).separation.front(), plan.at(2, 0).separation.front());
-  EXPECT_EQ(plan.candidates[plan.best.front()].speed, 30 * units::kt);
+  // The slow run, which stays in the first third of the bed, is as good as the best.
+  const double best = plan.candidates[plan.best.front()].separation.back();
+  EXPECT_GT(plan.at(0, 0).separation.back(), 0.95 * best);
   EXPECT_GT(plan.at(0, 0).separation.back(), 4.0);
   // Where it stops is not enough: bed strength, tables and entry speed may hold as much.
   for (const CandidateRun& c : plan.candidates) EXPECT_LT(c.separation.front(), 2.0);
@@ -82,7 +84,7 @@ TEST(Tutorials, AUsersOwnEffectComesFirst) {
   ASSERT_FALSE(d.claims.empty());
   EXPECT_EQ(d.claims.front().id, "hump");
   EXPECT_GT(d.claims.front().probability, 0.5);
-  EXPECT_NEAR(d.claims.front().applied.values[0], 8e4, 3.0 * d.claims.front().deviation[0]);
+  EXPECT_NEAR(d.claims.front().applied.values[0], 7e4, 3.0 * d.claims.front().deviation[0]);
   for (std::size_t i = 1; i < d.claims.size(); ++i) EXPECT_LT(d.claims[i].probability, 0.3) << d.claims[i].id;
 }
 
@@ -99,7 +101,7 @@ TEST(Tutorials, WriteCases) {
   clean.speeds = {22.0, 31.0}, clean.masses = {56000.0, 66000.0}, clean.ramp = 15.24;
   testing::write_tutorial("clean", "B737-800 in 20 in of foam, two runs", clean);
   auto own = testing::tutorial_runs(6);
-  own.hidden = {effects::applied(effects::load_own_effect(testing::tutorial_folder("own_effect") / "hump.json"), 8e4)};
+  own.hidden = {effects::applied(effects::load_own_effect(testing::tutorial_folder("own_effect") / "hump.json"), 7e4)};
   testing::write_tutorial("own_effect", "B737-800 in 20 in of foam, drag with a hump", own);
 }
 
