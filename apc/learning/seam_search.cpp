@@ -132,6 +132,10 @@ struct Words {
   }
 };
 
+/// Joints shallower than the scatter from block to block (5 to 12 %) cannot be told from it; what the search finds
+/// there is what the model of the bounce lacks.
+constexpr double least_depth = 0.05;
+
 SeamFit fit_pitch(const Background& b, const effects::Effect& seams, double pitch) {
   const std::size_t runs = b.training;
   std::vector<Responses> responses(runs);
@@ -224,6 +228,7 @@ SeamFit fit_pitch(const Background& b, const effects::Effect& seams, double pitc
   const double alone =
       0.5 * score * score / (information + precision) - 0.5 * std::log1p(information / precision) + std::log(2.0);
   fit.log_weight = std::min(0.0, evidence - alone);
+  fit.depth = score / (information + precision);
   for (std::size_t r = 0; r < runs; ++r)
     fit.columns.push_back(
         column_of(b, r, responses[r], pitch, fit.applied.values[2], best_spots[r].first, best_spots[r].second));
@@ -236,9 +241,10 @@ std::vector<SeamFit> search_seams(const Background& b, const effects::Effect& se
   expect(seams.parameters.size() == 4, "joints have depth, pitch, width and offset");
   const double block = b.data->bed.block_length > 0.0 ? b.data->bed.block_length : 1.2192;
   std::vector<SeamFit> result;
-  for (const double pitch : {block, 2.0 * block, 0.5 * block})
-    if (pitch >= seams.parameters[1].low && pitch <= seams.parameters[1].high)
-      result.push_back(fit_pitch(b, seams, pitch));
+  for (const double pitch : {block, 2.0 * block}) {  // blocks end at one pitch or at whole multiples of it
+    if (pitch < seams.parameters[1].low || pitch > seams.parameters[1].high) continue;
+    if (SeamFit fit = fit_pitch(b, seams, pitch); fit.depth >= least_depth) result.push_back(std::move(fit));
+  }
   return result;
 }
 

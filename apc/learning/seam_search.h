@@ -18,11 +18,12 @@ struct SeamFit {
   effects::Applied applied;                   ///< amplitude neutral; offset and width the best ones
   std::vector<std::array<double, 2>> places;  ///< per training run: shift (m), stretch
   std::vector<Eigen::VectorXd> columns;       ///< per training run, whitened, for depth 1
+  double depth = 0.0;                         ///< likeliest
   double log_weight = 0.0;                    ///< cost of the search over offset, width and places, ln
 };
 
-/// One fit per pitch: the length of a block, its half and its double. `seams`: the law with parameters depth, pitch,
-/// width, offset. Simulates 9 columns per pitch and run.
+/// One fit per pitch, the length of a block and its double, where the joints are deeper than 0.05. `seams`: the law
+/// with parameters depth, pitch, width, offset. Simulates 9 columns per pitch and run.
 std::vector<SeamFit> search_seams(const Background&, const effects::Effect& seams);
 
 }  // namespace apc::learning
