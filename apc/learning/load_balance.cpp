@@ -126,7 +126,8 @@ struct Wheel {
   }
 };
 
-/// Calls `each(gear, sample, wheel, penetration)` for every sample in the bed, in order of time.
+/// Calls `each(gear, sample, wheel)`, which returns the penetration it found, for every sample in the bed in order of
+/// time.
 template <class Each>
 void along_the_bed(const std::vector<GearFacts>& gears, const Motion& m, const bed::Bed& bed,
                    const effects::Alterations& alterations, const Each& each) {
