@@ -163,7 +163,6 @@ std::optional<Along> balance_along(const Case& data, const Layout& layout, unsig
   });
   const AlongPrior prior = along_prior(data, layout);
   const Eigen::VectorXd of_the_bed = bed_unknowns(layout);
-  along.bed = Eigen::VectorXd::Zero(layout.size + Extra::count);
   const auto fit_at = [&](const Eigen::VectorXd& bed, int passes) {
     along.bed = bed;
     parallel_for(along.runs.size(), threads,

@@ -13,7 +13,7 @@ namespace {
 constexpr double thin = 0.12;
 
 /// Smoothing of vertical acceleration and pitch rate: only what changes as slowly as the aircraft bounces is load; the
-/// rest is vibration. Those of highest evidence without any effect over six cases with known truth.
+/// rest is vibration. Calibrated: near the highest evidence without any effect over six of the cases with known truth.
 constexpr double swing_curvature = 6.0, pitching_curvature = 0.06;
 
 struct Share {
