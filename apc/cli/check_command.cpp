@@ -16,7 +16,7 @@
 #include "apc/cli/text_table.h"
 #include "apc/effects/catalogue.h"
 #include "apc/effects/effect_json.h"
-#include "apc/learning/diagnosis_json.h"
+#include "apc/learning/overlay_json.h"
 #include "apc/reliability/scatter.h"
 #include "apc/site/site.h"
 #include "loadtables/samples.h"
@@ -58,13 +58,12 @@ std::string check_design(const fs::path& path, report::UnitSystem units) {
 
 std::string check_model(const fs::path& path, report::UnitSystem units) {
   const auto added = learning::load_overlay(path, effects::catalogue());
-  const auto range = learning::learned_range(path);
   std::string names;
-  for (const auto& each : added) names += (names.empty() ? "" : ", ") + each.effect.id;
+  for (const auto& each : added.effects) names += (names.empty() ? "" : ", ") + each.effect.id;
   if (names.empty()) names = "no effects";
-  if (!(range.slowest > 0.0)) return names;
-  return concat(names, ", learned from ", shown(range.slowest, measure::speed, units), " to ",
-                shown(range.fastest, measure::speed, units));
+  if (!(added.slowest > 0.0)) return names;
+  return concat(names, ", learned from ", shown(added.slowest, measure::speed, units), " to ",
+                shown(added.fastest, measure::speed, units));
 }
 
 std::string check_case(const fs::path& path) {

@@ -12,7 +12,7 @@
 #include "apc/cli/commands.h"
 #include "apc/cli/fleet_inputs.h"
 #include "apc/effects/catalogue.h"
-#include "apc/learning/diagnosis_json.h"
+#include "apc/learning/overlay_json.h"
 #include "apc/report/design_record.h"
 #include "apc/report/sha256.h"
 #include "apc/simulation/together.h"
@@ -61,16 +61,16 @@ std::vector<double> read_margins(const std::string& text) {
 /// Every case of the fleet with the effects that were learned; told when a case lies outside what they were learned on.
 void add_effects(const fs::path& file, design::Fleet& fleet, FleetModels& loaded) {
   const auto learned = learning::load_overlay(file, effects::catalogue());
-  const auto range = learning::learned_range(file);
   bool outside = false;
   for (auto& each : fleet.cases) {
-    each.overrun.alterations.effects = learned;
-    outside |= each.overrun.entry_speed < range.slowest - 0.5 || each.overrun.entry_speed > range.fastest + 0.5;
+    each.overrun.alterations.effects = learned.effects;
+    each.overrun.alterations.bed_strength *= learned.bed_strength;
+    outside |= each.overrun.entry_speed < learned.slowest - 0.5 || each.overrun.entry_speed > learned.fastest + 0.5;
   }
   if (outside)
     std::fprintf(stderr,
                  "warning: %s was learned on runs of %.0f to %.0f kt; cases at other speeds extrapolate its effects\n",
-                 file.c_str(), range.slowest / units::kt, range.fastest / units::kt);
+                 file.c_str(), learned.slowest / units::kt, learned.fastest / units::kt);
   loaded.files.push_back({"model", file.string(), report::sha256(read_text(file)), "learned"});
   loaded.identity += loaded.files.back().sha256;
 }

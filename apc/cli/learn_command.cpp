@@ -11,6 +11,7 @@
 #include "apc/effects/other_forms.h"
 #include "apc/learning/learn_page.h"
 #include "apc/learning/metrics.h"
+#include "apc/learning/overlay_json.h"
 
 namespace apc::cli {
 namespace {
@@ -30,46 +31,74 @@ std::string effect_text(const effects::Effect& e) {
   return out;
 }
 
-/// Error of every training run, with and without effects, free runs on the nominal model.
-std::string comparison(const learning::Case& data, const std::vector<effects::Applied>& added, std::string& json,
-                       bool& better) {
-  const learning::Layout layout = learning::make_layout(data, data.runs);
-  const Eigen::VectorXd eta = learning::prior_mean(layout, data.runs);
+/// What a comparison says: for people, for programs, and whether the effects lower the error.
+struct Comparison {
+  std::string text, json;
+  bool better = false;
+};
+
+std::string channel_text(const learning::RunError& plain, const learning::RunError& with, bool added) {
   std::string out;
-  json = "{\n \"schema\": \"apc-comparison/1\",\n \"runs\": {";
+  if (plain.stop)
+    out += fmt::format("  stop {:+.1f} m, u_val {:.1f} m{}\n", plain.stop->error, plain.stop->uncertainty,
+                       with.stop && added ? fmt::format("; with the effect {:+.1f} m", with.stop->error) : "");
+  for (std::size_t c = 0; c < plain.channels.size(); ++c) {
+    const auto &a = plain.channels[c], &b = with.channels[c];
+    out += fmt::format("  {:<15} rms {:.3g} (SI){}  Sprague–Geers M {:+.0f} % P {:.0f} %  inside 2 sigma {:.0f} %\n",
+                       learning::name_of(a.quantity), a.rms, added ? fmt::format(" -> {:.3g}", b.rms) : "",
+                       100 * a.sprague_geers.magnitude, 100 * a.sprague_geers.phase, 100 * a.coverage);
+  }
+  return out;
+}
+
+std::string channel_json(const learning::RunError& plain, const learning::RunError& with) {
+  std::string json =
+      fmt::format("{{\"error\": {:.5g}, \"error_with\": {:.5g}, \"channels\": {{", plain.total, with.total);
+  for (std::size_t c = 0; c < plain.channels.size(); ++c) {
+    const auto &a = plain.channels[c], &b = with.channels[c];
+    json += fmt::format(
+        "{}\"{}\": {{\"rms\": {:.6g}, \"rms_with\": {:.6g}, \"normalised\": {:.5g}, \"normalised_with\": {:.5g}, "
+        "\"magnitude\": {:.5g}, \"phase\": {:.5g}, \"coverage\": {:.4g}}}",
+        c ? ", " : "", learning::name_of(a.quantity), a.rms, b.rms, a.normalised, b.normalised,
+        a.sprague_geers.magnitude, a.sprague_geers.phase, a.coverage);
+  }
+  json += "}";
+  if (plain.stop && with.stop)
+    json += fmt::format(", \"stop_error\": {:.5g}, \"stop_error_with\": {:.5g}, \"u_val\": {:.5g}", plain.stop->error,
+                        with.stop->error, plain.stop->uncertainty);
+  return json + "}";
+}
+
+Comparison told(const std::vector<std::pair<learning::RunError, learning::RunError>>& runs, bool added) {
+  Comparison c{"", "{\n \"schema\": \"apc-comparison/1\",\n \"runs\": {", false};
   double before = 0.0, after = 0.0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const auto& [plain, with] = runs[r];
+    before += plain.total * plain.total, after += with.total * with.total;
+    c.text +=
+        fmt::format("{}  error {:.2f}{}\n", plain.run, plain.total, added ? fmt::format(" -> {:.2f}", with.total) : "");
+    c.text += channel_text(plain, with, added);
+    c.json += fmt::format("{}\n  \"{}\": {}", r ? "," : "", plain.run, channel_json(plain, with));
+  }
+  c.json += "\n }\n}\n";
+  c.better = after < before;
+  return c;
+}
+
+/// Error of every run of a case, free runs: the nominal model, or an overlay beside the strength fitted without it.
+Comparison comparison(const learning::Case& data, const learning::Overlay& overlay) {
+  const learning::Layout layout = learning::make_layout(data, data.runs);
+  Eigen::VectorXd eta = learning::prior_mean(layout, data.runs), learned = eta;
+  eta[layout.bed_strength] = std::log(overlay.bed_strength_without_effects);
+  learned[layout.bed_strength] = std::log(overlay.bed_strength);
+  std::vector<std::pair<learning::RunError, learning::RunError>> runs;
   for (std::size_t r = 0; r < data.runs.size(); ++r) {
     const auto plain = learning::compare(data, layout, r, data.runs[r], eta, {});
-    const auto with = added.empty() ? plain : learning::compare(data, layout, r, data.runs[r], eta, added);
-    before += plain.total * plain.total, after += with.total * with.total;
-    out += fmt::format("{}  error {:.2f}{}\n", plain.run, plain.total,
-                       added.empty() ? "" : fmt::format(" -> {:.2f}", with.total));
-    if (plain.stop)
-      out +=
-          fmt::format("  stop {:+.1f} m, u_val {:.1f} m{}\n", plain.stop->error, plain.stop->uncertainty,
-                      with.stop && !added.empty() ? fmt::format("; with the effect {:+.1f} m", with.stop->error) : "");
-    json += fmt::format("{}\n  \"{}\": {{\"error\": {:.5g}, \"error_with\": {:.5g}, \"channels\": {{", r ? "," : "",
-                        plain.run, plain.total, with.total);
-    for (std::size_t c = 0; c < plain.channels.size(); ++c) {
-      const auto &a = plain.channels[c], &b = with.channels[c];
-      out += fmt::format("  {:<15} rms {:.3g} (SI){}  Sprague–Geers M {:+.0f} % P {:.0f} %  inside 2 sigma {:.0f} %\n",
-                         learning::name_of(a.quantity), a.rms, added.empty() ? "" : fmt::format(" -> {:.3g}", b.rms),
-                         100 * a.sprague_geers.magnitude, 100 * a.sprague_geers.phase, 100 * a.coverage);
-      json += fmt::format(
-          "{}\"{}\": {{\"rms\": {:.6g}, \"rms_with\": {:.6g}, \"normalised\": {:.5g}, \"normalised_with\": {:.5g}, "
-          "\"magnitude\": {:.5g}, \"phase\": {:.5g}, \"coverage\": {:.4g}}}",
-          c ? ", " : "", learning::name_of(a.quantity), a.rms, b.rms, a.normalised, b.normalised,
-          a.sprague_geers.magnitude, a.sprague_geers.phase, a.coverage);
-    }
-    json += "}";
-    if (plain.stop)
-      json += fmt::format(", \"stop_error\": {:.5g}, \"stop_error_with\": {:.5g}, \"u_val\": {:.5g}", plain.stop->error,
-                          with.stop->error, plain.stop->uncertainty);
-    json += "}";
+    runs.emplace_back(plain, overlay.effects.empty()
+                                 ? plain
+                                 : learning::compare(data, layout, r, data.runs[r], learned, overlay.effects));
   }
-  json += "\n }\n}\n";
-  better = after < before;
-  return out;
+  return told(runs, !overlay.effects.empty());
 }
 
 void diagnose_case(const LearnWords& words, const Settings& settings) {
@@ -93,8 +122,7 @@ void learn_case(const LearnWords& words, Settings& settings) {
   write_text(out / "diagnosis.json", learning::diagnosis_json(study));
   write_text(out / "report.html", learning::learn_page(study, plan ? &*plan : nullptr));
   learning::write_predictions(study, out / "held");
-  if (!study.diagnosis.augmented.empty())
-    write_text(out / "model.json", learning::overlay_json(study, settings.command_line));
+  if (study.held_out.helps()) write_text(out / "model.json", learning::overlay_json(study, settings.command_line));
   if (!settings.json.empty()) write_text(settings.json, learning::diagnosis_json(study));
   say(settings, fmt::format("report: {}\n", (out / "report.html").string()));
   switch (study.diagnosis.verdict) {
@@ -116,38 +144,45 @@ void learn_case(const LearnWords& words, Settings& settings) {
   }
 }
 
-/// Refuses (exit 1) effects that do not lower the error, unless forced.
+/// Refuses (exit 1) effects that do not lower the error of runs they were not fitted to, unless forced.
 void add_to_model(const LearnWords& words, Settings& settings) {
   require(!words.out.empty(), "-o: apc add writes an overlay; name it, such as -o model.json");
   const learning::Case data = load(words);
   const auto added = learning::effects_of_diagnosis(words.from, known_effects(words));
   require(!added.empty(), words.from.string(), ": this diagnosis names no effect; there is nothing to add.");
-  std::string json;
-  bool better = false;
-  say(settings, comparison(data, added, json, better));
-  if (!better && !words.force) {
-    say(settings, "The error does not fall: refused. --force adds it all the same.\n");
-    settings.exit_code = exit_code::not_met;
-    return;
-  }
   learning::Study study;
   study.background.data = &data;
   study.background.runs = data.runs;
   study.background.training = data.runs.size();
   study.diagnosis.augmented = added;
   study.diagnosis.verdict = learning::Verdict::found;
+  study.free.emplace().runs = learning::free_runs(data, words.threads);
+  study.free->none = learning::fit_strength(study.free->runs);
+  learning::size_augmented(study);
+  std::vector<std::pair<learning::RunError, learning::RunError>> runs;
+  for (const auto& one : study.held_out.runs) runs.emplace_back(one.before, one.after);
+  const Comparison left_out = told(runs, true);
+  say(settings, "Every run predicted from the others, without and with the effects:\n" + left_out.text);
+  if (!settings.json.empty()) write_text(settings.json, left_out.json);
+  if (study.held_out.runs.size() < 2)
+    say(settings, "One run alone proves nothing: no other to predict.\n");
+  else
+    say(settings, fmt::format("all runs: error {:.2f} -> {:.2f}\n", study.held_out.before, study.held_out.after));
+  if (!study.held_out.helps() && !words.force) {
+    say(settings, "The error does not fall: refused. --force adds it all the same.\n");
+    settings.exit_code = exit_code::not_met;
+    return;
+  }
   write_text(words.out, learning::overlay_json(study, settings.command_line));
 }
 
 void compare_case(const LearnWords& words, Settings& settings, bool must_improve) {
   const learning::Case data = load(words);
-  const auto added =
-      words.model.empty() ? std::vector<effects::Applied>{} : learning::load_overlay(words.model, known_effects(words));
-  std::string json;
-  bool better = false;
-  say(settings, comparison(data, added, json, better));
-  if (!settings.json.empty()) write_text(settings.json, json);
-  if (must_improve && !better) settings.exit_code = exit_code::not_met;
+  const Comparison c = comparison(
+      data, words.model.empty() ? learning::Overlay{} : learning::load_overlay(words.model, known_effects(words)));
+  say(settings, c.text);
+  if (!settings.json.empty()) write_text(settings.json, c.json);
+  if (must_improve && !c.better) settings.exit_code = exit_code::not_met;
 }
 
 }  // namespace

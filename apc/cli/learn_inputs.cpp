@@ -88,6 +88,15 @@ std::string verdict_text(const learning::Study& study) {
     }
     out += "\n";
   }
+  if (!study.held_out.runs.empty()) {
+    std::string names;
+    for (const auto& a : d.augmented) names += (names.empty() ? "" : " and ") + effects::named(a.effect);
+    out += fmt::format("RUNS LEFT OUT  error {:.2f} without, {:.2f} with {}{}\n", study.held_out.before,
+                       study.held_out.after, names,
+                       !study.held_out.helps() ? ": no help, not added to the model"
+                       : d.tried               ? ": added, though which effect it is stays open"
+                                               : "");
+  }
   if (!d.rivals.empty()) {
     out += "CANNOT TELL APART\n";
     for (std::size_t i = 0; i < std::min<std::size_t>(6, d.rivals.size()); ++i)

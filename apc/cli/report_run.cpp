@@ -7,7 +7,7 @@
 #include "apc/base/progress.h"
 #include "apc/base/require.h"
 #include "apc/effects/catalogue.h"
-#include "apc/learning/diagnosis_json.h"
+#include "apc/learning/overlay_json.h"
 #include "apc/study/critical_speed.h"
 
 namespace apc::cli {
@@ -21,7 +21,7 @@ effects::TableError scaled(double error) {
 }
 
 report::ComplianceCase judge(const design::DesignFile& design, std::size_t k, const simulation::Model& model,
-                             const std::vector<effects::Applied>& learned) {
+                             const learning::Overlay& learned) {
   report::ComplianceCase out;
   auto run = design.fleet.cases[k].overrun;
   run.entry_speed *= design.speed_factor;
@@ -51,9 +51,9 @@ report::ComplianceCase judge(const design::DesignFile& design, std::size_t k, co
   out.stop_low = std::min(weak.stop_distance, strong.stop_distance),
   out.stop_high = std::max(weak.stop_distance, strong.stop_distance);
   out.use_low = std::min(use(weak), use(strong)), out.use_high = std::max(use(weak), use(strong));
-  if (!learned.empty()) {
+  if (!learned.effects.empty()) {
     auto more = run;
-    more.alterations.effects = learned;
+    more.alterations.effects = learned.effects, more.alterations.bed_strength *= learned.bed_strength;
     const auto result = simulation::simulate(endless, more, fast);
     out.learned_stop = result.stop_distance, out.learned_use = use(result);
   }
@@ -73,13 +73,12 @@ report::ComplianceRecord run_report(const ReportAsk& ask) {
     record.fit = site::fit(*record.site, record.design.bed);
     record.manifest.files.push_back(note("site", file, record.site->source));
   }
-  std::vector<effects::Applied> learned;
+  learning::Overlay learned;
   if (!ask.effects.empty()) {
     learned = learning::load_overlay(ask.effects, effects::catalogue());
-    const auto range = learning::learned_range(ask.effects);
     record.manifest.files.push_back(note("learned effects", ask.effects, ""));
-    for (const auto& each : learned) record.learned.names.push_back(each.effect.id);
-    record.learned.slowest = range.slowest, record.learned.fastest = range.fastest;
+    for (const auto& each : learned.effects) record.learned.names.push_back(each.effect.id);
+    record.learned.slowest = learned.slowest, record.learned.fastest = learned.fastest;
   }
   record.manifest.files.insert(record.manifest.files.end(), loaded.files.begin(), loaded.files.end());
   record.manifest.version = std::string("apc ") + APC_VERSION, record.manifest.command = ask.command;

@@ -12,7 +12,7 @@
 #include "apc/cli/commands.h"
 #include "apc/cli/inputs.h"
 #include "apc/effects/catalogue.h"
-#include "apc/learning/diagnosis_json.h"
+#include "apc/learning/overlay_json.h"
 #include "apc/report/brief.h"
 #include "apc/report/history_table.h"
 #include "apc/report/page.h"
@@ -103,11 +103,12 @@ void simulate_overrun(const Words& words, Settings& settings) {
   auto inputs = read_inputs(words.choice);
   auto overrun = read_overrun(words, inputs.model.aircraft);
   if (!words.effects.empty()) {
-    overrun.alterations.effects = learning::load_overlay(words.effects, effects::catalogue());
-    const auto range = learning::learned_range(words.effects);
-    if (overrun.entry_speed < range.slowest - 0.5 || overrun.entry_speed > range.fastest + 0.5)
+    const auto learned = learning::load_overlay(words.effects, effects::catalogue());
+    overrun.alterations.effects = learned.effects, overrun.alterations.bed_strength *= learned.bed_strength;
+    if (overrun.entry_speed < learned.slowest - 0.5 || overrun.entry_speed > learned.fastest + 0.5)
       std::fprintf(stderr, "warning: %s was learned on runs of %.0f to %.0f kt; at %s its effects are extrapolated\n",
-                   words.effects.c_str(), range.slowest / units::kt, range.fastest / units::kt, words.speed.c_str());
+                   words.effects.c_str(), learned.slowest / units::kt, learned.fastest / units::kt,
+                   words.speed.c_str());
     inputs.files.push_back({"model", words.effects.string(), report::sha256(read_text(words.effects)), "learned"});
   }
   Progress progress("overrun of the " + inputs.model.aircraft.name);

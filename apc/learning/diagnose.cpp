@@ -3,158 +3,56 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
-#include <set>
 
 #include "apc/base/require.h"
 #include "apc/effects/other_forms.h"
-#include "apc/learning/weighing.h"
+#include "apc/learning/verdict.h"
 
 namespace apc::learning {
 namespace {
 
-void make_claims(const Background& b, const FamilyWise& null, const std::vector<Single>& singles, double temper,
-                 Diagnosis& d) {
-  std::map<std::string, Claim> claims;
-  for (const Explanation& x : d.explanations)
-    for (const std::string& id : x.ids) {
-      Claim& claim = claims[id];
-      claim.probability += x.probability;
-      if (!claim.id.empty() || !x.fitted) continue;
-      claim.id = id;
-      std::size_t column = 0;
-      for (const auto& applied : x.fit.effects) {
-        const std::size_t free = free_parameter_count(applied);
-        if (applied.effect.id == id) {
-          claim.applied = applied;
-          claim.deviation = parameter_deviations(applied, x.fit, column);
-        }
-        column += free;
-      }
-    }
-  for (auto& [id, claim] : claims) {
-    if (claim.probability < 0.02 || claim.id.empty()) continue;
-    for (const Single& s : singles)
-      if (s.hypothesis->id == id) claim.p_family_wise = null.p_of(s.evidence.gain / temper);
-    for (std::size_t r = 0; r < b.runs.size(); ++r)
-      if (!b.traces[r].result.history.time.empty()) claim.work[b.runs[r].id] = work_of(b, r, claim.applied);
-    d.claims.push_back(claim);
-  }
-  std::stable_sort(d.claims.begin(), d.claims.end(),
-                   [](const Claim& a, const Claim& c) { return a.probability > c.probability; });
-}
+/// An effect that nothing but its success speaks for must lower the error of runs left out by so much.
+constexpr double least_fall_of_a_try = 0.1;
 
-/// The effects of an explanation that have a size: one fitted at its neutral value explains nothing.
-std::vector<std::string> ids_with_size(const Explanation& x) {
-  std::vector<std::string> ids;
-  for (const std::string& id : x.ids) {
-    const auto fitted = std::find_if(x.fit.effects.begin(), x.fit.effects.end(),
-                                     [&](const effects::Applied& a) { return a.effect.id == id; });
-    if (fitted != x.fit.effects.end()) {
-      const effects::Parameter& p = fitted->effect.parameters.front();
-      if (std::abs(fitted->values.front() - p.neutral) < 1e-3 * (p.high - p.low)) continue;
-    }
-    ids.push_back(id);
+/// What free runs say of every explanation. Of the pairs only the leading ones are fitted.
+void add_free(FreeEvidence& free, double temper, std::vector<Explanation>& list, const Report& report) {
+  constexpr std::size_t most_pairs = 8;
+  std::vector<std::pair<double, std::vector<std::string>>> pairs;
+  for (Explanation& x : list) {
+    if (x.kind != Hypothesis::Kind::effect || x.ids.empty()) continue;
+    x.free_evidence = free.of(x.ids);
+    if (x.ids.size() == 2) pairs.emplace_back(x.log_evidence / temper + x.free_evidence, x.ids);
   }
-  return ids;
-}
-
-void make_set90(Diagnosis& d) {
-  double sum = 0.0;
-  std::set<std::vector<std::string>> seen;
-  for (const Explanation& x : d.explanations) {
-    if (x.kind == Hypothesis::Kind::learned) continue;
-    const auto ids = ids_with_size(x);
-    if (seen.insert(ids).second) d.set90.push_back(ids);
-    sum += x.probability;
-    if (sum >= 0.9 || d.set90.size() >= 4) break;
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& c) { return a.first > c.first; });
+  pairs.resize(std::min(most_pairs, pairs.size()));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    add_pair(free, pairs[i].second);
+    if (report) report(static_cast<double>(i + 1) / static_cast<double>(pairs.size()), "fitting pairs to free runs");
   }
-}
-
-void make_rivals(const Screen& screen, const std::vector<Single>& singles, Diagnosis& d) {
-  for (std::size_t i = 0; i < std::min<std::size_t>(6, singles.size()); ++i)
-    for (std::size_t k = 0; k < i; ++k) {
-      const Eigen::Index a = singles[i].hypothesis->candidate.columns.front(),
-                         c = singles[k].hypothesis->candidate.columns.front();
-      const double rho = correlation_of(screen.scores, c, a);
-      const double separability = singles[k].evidence.amplitude[0] *
-                                  std::sqrt(screen.scores.gram(c, c) * std::max(0.0, 1.0 - rho * rho) / screen.temper);
-      if (std::abs(rho) > 0.8)
-        d.rivals.push_back({singles[k].hypothesis->id, singles[i].hypothesis->id, rho, std::abs(separability)});
-    }
-}
-
-void make_smallest(const Screen& screen, const std::vector<Single>& singles, const FamilyWise& null, Diagnosis& d) {
-  const double reach = std::sqrt(screen.temper) * (std::sqrt(null.quantile(0.99)) + 1.28);
-  for (const Single& s : singles) {
-    const Eigen::Index c = s.hypothesis->candidate.columns.front();
-    const double gram = screen.scores.gram(c, c);
-    if (gram > 0.0)
-      d.smallest_detectable[s.hypothesis->id + "." + s.hypothesis->applied.effect.parameters.front().name] =
-          reach / std::sqrt(gram);
-  }
-}
-
-/// Nothing is missing, too, where that is so many times as probable as the most probable effect or a force to be
-/// learned: many that are hardly possible are not one that is likely. Only where all effects are weighed alike.
-constexpr double outshine = 3.0;
-
-void decide(Diagnosis& d, bool along) {
-  double silent = 0.0, sensor = 0.0, learned = 0.0;
-  for (const Explanation& x : d.explanations) {
-    if (x.kind == Hypothesis::Kind::effect && x.ids.empty()) silent += x.probability;
-    if (x.kind == Hypothesis::Kind::sensor) sensor += x.probability;
-    if (x.kind == Hypothesis::Kind::learned) learned += x.probability;
-  }
-  if (learned > 0.5) {
-    d.verdict = Verdict::unexplained;
-    for (const Explanation& x : d.explanations)
-      if (x.kind == Hypothesis::Kind::learned) {
-        d.learned = x.label;
-        break;
-      }
-  } else if (sensor > 0.5) {
-    d.verdict = Verdict::sensor;
-  } else if (silent + sensor > 0.5 ||
-             (along &&
-              silent + sensor > outshine * std::max(learned, d.claims.empty() ? 0.0 : d.claims.front().probability))) {
-    d.verdict = Verdict::nothing;
-  } else if (!d.claims.empty() && d.claims.front().probability > 0.8 && silent + sensor < 0.1) {
-    d.verdict = Verdict::found;
-  } else {
-    d.verdict = Verdict::ambiguous;
-  }
-  for (const Claim& c : d.claims)
-    if (c.probability >= 0.5 && d.verdict != Verdict::nothing && d.verdict != Verdict::sensor)
-      d.augmented.push_back(c.applied);
-  // Something is missing for certain, only not which: the likeliest explanation is better than none.
-  if (d.augmented.empty() && d.verdict == Verdict::ambiguous && silent + sensor < 0.1)
-    for (const Explanation& x : d.explanations)
-      if (x.fitted) {
-        d.augmented = x.fit.effects;
-        break;
-      }
-}
-
-/// The nuisances of a free run with the effects just added, for predictions.
-void add_nuisances(const Background& b, Diagnosis& d) {
-  const auto ids = ids_of(d.augmented);
-  auto found = std::find_if(d.explanations.begin(), d.explanations.end(),
-                            [&](const Explanation& x) { return x.fitted && x.ids == ids; });
-  if (found == d.explanations.end()) {
-    d.explanations.emplace_back().ids = ids;
-    found = d.explanations.end() - 1;
-    found->fitted = true;
-    found->fit.effects = d.augmented;
-  }
-  found->fit.eta = refit_background(b, found->fit.effects, 2, {}).eta;
+  for (Explanation& x : list)
+    if (x.kind == Hypothesis::Kind::effect && x.ids.size() == 2) x.free_evidence = free.of(x.ids);
 }
 
 }  // namespace
 
-const char* text(Verdict verdict) {
-  static const char* const names[] = {"found", "ambiguous", "nothing", "unexplained", "sensor"};
-  return names[static_cast<std::size_t>(verdict)];
+void size_augmented(Study& study) {
+  Diagnosis& d = study.diagnosis;
+  study.strength = study.free->none.strength;
+  if (d.augmented.empty()) return;
+  auto start = d.augmented;
+  if (const auto own = study.free->sets.find(ids_of(start)); own != study.free->sets.end())
+    start = own->second.fit.effects;
+  try {
+    const FreeFit fit = fit_free(study.free->runs, start, study.strength);
+    d.augmented = fit.effects, study.strength = fit.strength;
+    study.held_out = leave_one_out(study.free->runs, fit.effects, fit.strength);
+    if (d.tried) study.held_out.least_fall = least_fall_of_a_try;
+  } catch (const SolveError&) {
+    // The sizes of the screen stay; nothing says that they help.
+  }
+  if (!d.tried || study.held_out.helps()) return;
+  d.augmented.clear(), study.held_out = {};
+  study.strength = study.free->none.strength;
 }
 
 Study diagnose(const Case& data, const DiagnoseOptions& options) {
@@ -170,20 +68,20 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   study.along = balance_along(data, layout, options.threads);
   BackgroundOptions background;
   background.threads = options.threads;
-  if (study.along) background.iterations = 2;  // it carries joints and predictions only
+  if (study.along) background.iterations = 2;  // it carries joints only
   background.report = part(study.along ? 0.2 : 0.0, 0.5);
   study.background = fit_background(data, background);
   const Background& b = study.background;
+  auto laws = options.effects;
+  laws.insert(laws.end(), effects::other_forms().begin(), effects::other_forms().end());
   if (study.along) {
     std::vector<effects::Effect> fine;
     std::copy_if(options.effects.begin(), options.effects.end(), std::back_inserter(fine),
                  [](const effects::Effect& e) { return e.fine; });
-    auto laws = options.effects;
-    laws.insert(laws.end(), effects::other_forms().begin(), effects::other_forms().end());
     study.screen =
-        joined(weigh_along(*study.along, data, layout, laws, options.threads), screen(b, fine, part(0.5, 0.65)));
+        joined(weigh_along(*study.along, data, layout, laws, options.threads), screen(b, fine, part(0.5, 0.6)));
   } else {
-    study.screen = screen(b, options.effects, part(0.5, 0.65));
+    study.screen = screen(b, options.effects, part(0.5, 0.6));
   }
   const std::vector<Single> singles = best_shapes(study.screen);
   const NuisanceFactor nuisances(b);
@@ -213,7 +111,7 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
       d.explanations.push_back(std::move(x));
     }
     if (options.report)
-      options.report(0.65 + 0.2 * std::min(1.0, static_cast<double>(i) / most_singles), "fitting single effects");
+      options.report(0.6 + 0.1 * std::min(1.0, static_cast<double>(i) / most_singles), "fitting single effects");
   }
   // Pairs in the linear space, over all shapes of the leading effects; the best are fitted.
   struct Pair {
@@ -256,9 +154,11 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
     d.explanations.push_back(explained(b, nuisances,
                                        {started(*p.a, p.evidence.amplitude[0]), started(*p.c, p.evidence.amplitude[1])},
                                        p.a->places.empty() ? p.c->places : p.a->places));
-    if (options.report) options.report(0.85 + 0.13 * static_cast<double>(i + 1) / most_pairs, "fitting pairs");
+    if (options.report) options.report(0.7 + 0.05 * static_cast<double>(i + 1) / most_pairs, "fitting pairs");
   }
   add_linear(study.screen, d.explanations, d.sensors);
+  study.free = weigh_free(data, laws, options.threads, part(0.75, 0.9));
+  if (study.free) add_free(*study.free, study.screen.temper, d.explanations, part(0.9, 0.97));
   weigh(d.explanations, study.along.has_value(), singles.size(), study.screen.temper);
 
   std::vector<Candidate> single_columns;
@@ -269,7 +169,7 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   make_rivals(study.screen, singles, d);
   make_smallest(study.screen, singles, null, d);
   decide(d, study.along.has_value());
-  if (study.along && !d.augmented.empty()) add_nuisances(b, d);
+  if (study.free) size_augmented(study);
   d.unexplained_share = 0.0;
   for (const Explanation& x : d.explanations)
     if (x.kind == Hypothesis::Kind::learned) d.unexplained_share += x.probability;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "apc/learning/along.h"
+#include "apc/learning/free_evidence.h"
+#include "apc/learning/held_out.h"
 #include "apc/learning/refine.h"
 #include "apc/learning/screen.h"
 
@@ -17,7 +19,8 @@ struct Explanation {
   std::string label;  ///< sensors and learned forces: which
   SetFit fit;         ///< effects only
   bool fitted = false;
-  double log_evidence = 0.0;  ///< over nothing
+  double log_evidence = 0.0;   ///< over nothing: along the measured motion, else through guided runs
+  double free_evidence = 0.0;  ///< over nothing: of free runs
   double probability = 0.0;
 };
 
@@ -59,6 +62,7 @@ struct Diagnosis {
   std::string learned;  ///< what a learned force depends on; empty
   std::vector<NextRun> next;
   std::vector<effects::Applied> augmented;  ///< what `add` would add
+  bool tried = false;                       ///< `augmented` is the likeliest of several, not a claim
   double seconds = 0.0;
 };
 
@@ -72,12 +76,19 @@ struct DiagnoseOptions {
 /// Everything `diagnose` looked at, for reports and predictions.
 struct Study {
   Background background;
-  std::optional<Along> along;  ///< where every run was surveyed: the balance along the measured motion
-  Screen screen;               ///< along the measured motion where there is one, else through the simulator
+  std::optional<Along> along;        ///< where every run was surveyed: the balance along the measured motion
+  Screen screen;                     ///< along the measured motion where there is one, else through the simulator
+  std::optional<FreeEvidence> free;  ///< where free runs can be simulated
   Diagnosis diagnosis;
+  double strength = 0.0;  ///< ln of the bed's strength over its data sheet's, fitted with the effects of the diagnosis
+  HeldOut held_out;       ///< what those effects do to runs they were not fitted to
 };
 
 Study diagnose(const Case&, const DiagnoseOptions&);
+
+/// Gives the effects of the diagnosis the sizes that free runs have them with, the strength fitted beside them, and
+/// what they do to runs left out. Needs `free`; sizes and strength stay where a fit cannot be simulated.
+void size_augmented(Study&);
 
 /// ∫ ΔF dx of one effect from entry to rest, at the states of the fitted motion, J.
 double work_of(const Background&, std::size_t run, const effects::Applied&);

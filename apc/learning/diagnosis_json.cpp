@@ -49,19 +49,6 @@ ordered_json claim_json(const Claim& claim) {
   return result;
 }
 
-ordered_json applied_json(const std::vector<effects::Applied>& list) {
-  ordered_json result = ordered_json::array();
-  for (const auto& applied : list) {
-    ordered_json parameters;
-    for (std::size_t k = 0; k < applied.values.size(); ++k)
-      parameters[applied.effect.parameters[k].name] = quantity(applied.values[k], applied.effect.parameters[k].unit);
-    ordered_json one = {{"id", applied.effect.id}, {"parameters", parameters}};
-    if (!applied.effect.form.empty()) one["form"] = applied.effect.form;
-    result.push_back(std::move(one));
-  }
-  return result;
-}
-
 /// Time, distance and the channels of one free run, instruments at their prior mean.
 std::string prediction_csv(const Background& b, std::size_t r, const Eigen::VectorXd& eta,
                            const std::vector<effects::Applied>& added) {
@@ -102,6 +89,17 @@ std::string diagnosis_json(const Study& study) {
                               {"b", r.b},
                               {"correlation", std::stod(short_number(r.correlation))},
                               {"separability", std::stod(short_number(r.separability))}});
+  if (!study.held_out.runs.empty()) {
+    ordered_json runs = ordered_json::array(), gain = ordered_json::array();
+    for (const LeftOut& one : study.held_out.runs) {
+      runs.push_back(one.run);
+      gain.push_back(std::stod(short_number(one.gain)));
+    }
+    file["held_out"] = {{"base", std::stod(short_number(study.held_out.before))},
+                        {"augmented", std::stod(short_number(study.held_out.after))},
+                        {"runs", runs},
+                        {"delta_elpd", gain}};
+  }
   file["smallest_detectable"] = ordered_json::object();
   for (const auto& [name, value] : d.smallest_detectable)
     file["smallest_detectable"][name] = std::stod(short_number(value));
@@ -128,6 +126,7 @@ std::string diagnosis_json(const Study& study) {
     file["explanations"].push_back({{"effects", x.ids},
                                     {"label", x.label},
                                     {"log_evidence", std::stod(short_number(x.log_evidence))},
+                                    {"free_evidence", std::stod(short_number(x.free_evidence))},
                                     {"probability", std::stod(short_number(x.probability))}});
   }
   file["data_remarks"] = ordered_json::array();
@@ -135,62 +134,6 @@ std::string diagnosis_json(const Study& study) {
     file["data_remarks"].push_back(r.run + (r.channel.empty() ? "" : " " + r.channel) + ": " + r.text);
   file["seconds"] = std::stod(short_number(d.seconds));
   return file.dump(1) + "\n";
-}
-
-std::string overlay_json(const Study& study, const std::string& command) {
-  const Background& b = study.background;
-  double slow = 1e9, fast = 0.0, light = 1e9, heavy = 0.0;
-  ordered_json runs = ordered_json::array();
-  for (std::size_t r = 0; r < b.training; ++r) {
-    const auto& o = b.runs[r].overrun;
-    slow = std::min(slow, o.entry_speed), fast = std::max(fast, o.entry_speed), light = std::min(light, o.mass),
-    heavy = std::max(heavy, o.mass);
-    runs.push_back(b.runs[r].id);
-  }
-  ordered_json file = {{"schema", "apc-model/1"},
-                       {"source", "learned from " + b.data->title},
-                       {"effects", applied_json(study.diagnosis.augmented)},
-                       {"learned_on",
-                        {{"runs", runs},
-                         {"speed", {quantity(slow, "kt"), quantity(fast, "kt")}},
-                         {"mass", {quantity(light, "kg"), quantity(heavy, "kg")}}}},
-                       {"verdict", text(study.diagnosis.verdict)},
-                       {"command", command}};
-  return file.dump(1) + "\n";
-}
-
-namespace {
-
-/// Lowest and highest of two quantities.
-std::array<double, 2> range_of(const Json& on, const char* key, const Dimension& dimension) {
-  const auto values = on.quantities(key, dimension);
-  on.check(values.size() == 2 && values[0] <= values[1], key,
-           R"(needs two values, lowest and highest, such as ["40 kt", "70 kt"])");
-  return {values[0], values[1]};
-}
-
-LearnedRange range_in(const Json& file) {
-  if (!file.has("learned_on")) return {};
-  const Json on = file.object("learned_on");
-  on.ignore("runs");
-  const auto speed = range_of(on, "speed", dimension::speed), mass = range_of(on, "mass", dimension::mass);
-  return {speed[0], speed[1], mass[0], mass[1]};
-}
-
-}  // namespace
-
-LearnedRange learned_range(const std::filesystem::path& path) { return range_in(read_json(path)); }
-
-std::vector<effects::Applied> load_overlay(const std::filesystem::path& path,
-                                           const std::vector<effects::Effect>& known) {
-  const Json file = read_json(path);
-  file.schema("apc-model/1");
-  file.text("source");
-  range_in(file);
-  for (const auto* key : {"verdict", "command"}) file.ignore(key);
-  auto found = effects::read_applied(file.objects("effects"), known);
-  file.finish();
-  return found;
 }
 
 std::vector<effects::Applied> effects_of_diagnosis(const std::filesystem::path& path,
@@ -207,25 +150,19 @@ std::vector<effects::Applied> effects_of_diagnosis(const std::filesystem::path& 
 
 void write_predictions(const Study& study, const std::filesystem::path& folder) {
   const Background& b = study.background;
-  // The nuisances that were fitted together with the same effects; with any others the effects would count twice.
-  const auto ids = [](const std::vector<effects::Applied>& list) {
-    std::vector<std::string> names;
-    for (const auto& applied : list) names.push_back(applied.effect.id);
-    std::sort(names.begin(), names.end());
-    return names;
+  // Both are the nominal model with one strength for the bed; the effects are what is between them. Effects that do not
+  // help runs they were not fitted to are left out.
+  const auto nominal = [&](double strength) {
+    Eigen::VectorXd eta = prior_mean(b.layout, b.runs);
+    eta[b.layout.bed_strength] = strength;
+    return eta;
   };
-  Eigen::VectorXd eta = b.eta;
-  std::vector<effects::Applied> added = study.diagnosis.augmented;
-  for (const Explanation& x : study.diagnosis.explanations)
-    if (x.fitted && !added.empty() && ids(x.fit.effects) == ids(added)) {
-      eta = x.fit.eta;
-      added = x.fit.effects;
-      break;
-    }
   for (std::size_t r = b.training; r < b.runs.size(); ++r) {
-    const std::string base = prediction_csv(b, r, b.eta, {});
+    const std::string base = prediction_csv(b, r, nominal(study.free ? study.free->none.strength : 0.0), {});
     write_text(folder / (b.runs[r].id + ".base.csv"), base);
-    write_text(folder / (b.runs[r].id + ".augmented.csv"), added.empty() ? base : prediction_csv(b, r, eta, added));
+    write_text(
+        folder / (b.runs[r].id + ".augmented.csv"),
+        study.held_out.helps() ? prediction_csv(b, r, nominal(study.strength), study.diagnosis.augmented) : base);
   }
 }
 

@@ -168,7 +168,7 @@ void weigh(std::vector<Explanation>& list, bool along, std::size_t effects, doub
   const Odds odds = odds_of(along, effects, list);
   double highest = -1e300, sum = 0.0;
   for (Explanation& x : list) {
-    x.probability = std::log(odds.of(x)) + x.log_evidence / temper;
+    x.probability = std::log(odds.of(x)) + x.log_evidence / temper + x.free_evidence;
     highest = std::max(highest, x.probability);
   }
   for (Explanation& x : list) sum += x.probability = std::exp(x.probability - highest);

@@ -6,7 +6,7 @@
 
 #include "apc/base/file.h"
 #include "apc/effects/other_forms.h"
-#include "apc/learning/diagnosis_json.h"
+#include "apc/learning/overlay_json.h"
 
 namespace apc::learning {
 namespace {
@@ -24,9 +24,15 @@ TEST(Overlay, EveryEffectOfTheCatalogueIsReadBackAsItWasWritten) {
   for (const auto& effect : effects::other_forms())
     study.diagnosis.augmented.push_back(effects::applied(effect, effect.parameters.front().usual));
   const auto path = std::filesystem::path(testing::TempDir()) / "apc_overlay_test.json";
+  study.strength = std::log(0.93);
+  study.free.emplace().none.strength = std::log(0.97);
   write_text(path, overlay_json(study, "apc learn"));
-  const auto read = load_overlay(path, effects::catalogue());
+  const Overlay overlay = load_overlay(path, effects::catalogue());
+  const auto& read = overlay.effects;
   std::filesystem::remove(path);
+  EXPECT_NEAR(overlay.bed_strength, 0.93, 1e-4);
+  EXPECT_NEAR(overlay.bed_strength_without_effects, 0.97, 1e-4);
+  EXPECT_NEAR(overlay.slowest, 30.0, 1e-3);
   ASSERT_EQ(read.size(), study.diagnosis.augmented.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
     const auto& wanted = study.diagnosis.augmented[i];

@@ -1,0 +1,173 @@
+#include "apc/learning/free_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apc/base/require.h"
+#include "apc/learning/screen.h"
+
+namespace apc::learning {
+namespace {
+
+using effects::Applied;
+using Misfits = std::vector<Eigen::VectorXd>;
+
+constexpr int rounds = 8;
+constexpr double settled = 0.05;  ///< a fall of O that is not worth another round
+constexpr double widest = 6.0;    ///< deviations of the strength
+
+double square_of(const Misfits& misfits) {
+  double sum = 0.0;
+  for (const auto& m : misfits) sum += m.squaredNorm();
+  return std::max(1e-12, sum);
+}
+
+double count_of(const FreeRuns& f, const std::vector<char>& use) {
+  double n = 0.0;
+  for (std::size_t r = 0; r < f.samples.size(); ++r)
+    if ((use.empty() || use[r]) && f.samples[r].size > 0) n += told_by_a_run;
+  return n;
+}
+
+/// One unknown of a fit: its prior, its bounds, a step for differences.
+struct Unknown {
+  std::size_t effect = 0;  ///< 0: the strength; else 1 + index of the effect
+  double mean = 0.0, deviation = 1.0, low = -1.0, high = 1.0, step = 0.01;
+};
+
+std::vector<Unknown> unknowns_of(const FreeRuns& f, const std::vector<Applied>& effects) {
+  const double sigma = f.data->bed_strength;
+  std::vector<Unknown> list = {{0, 0.0, sigma, -widest * sigma, widest * sigma, 0.25 * sigma}};
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    if (effects[e].effect.fine) continue;
+    const effects::Parameter& p = effects[e].effect.parameters.front();
+    const double below = amplitude_positive(p) ? p.neutral : p.neutral - 2.0 * (p.neutral - p.low);
+    list.push_back({e + 1, p.neutral, amplitude_deviation(p), std::min(below, p.neutral),
+                    p.neutral + 2.0 * std::max(0.0, p.high - p.neutral), 0.1 * std::abs(p.usual - p.neutral)});
+  }
+  return list;
+}
+
+struct State {
+  double strength = 0.0;
+  std::vector<Applied> effects;
+  double& value(const Unknown& u) { return u.effect == 0 ? strength : effects[u.effect - 1].values.front(); }
+};
+
+double prior_of(const std::vector<Unknown>& unknowns, State s) {
+  double sum = 0.0;
+  for (const Unknown& u : unknowns) sum += std::pow((s.value(u) - u.mean) / u.deviation, 2);
+  return sum;
+}
+
+/// ½ of the curvature of O and its downhill slope.
+struct Slope {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+};
+
+Slope slope_at(const FreeRuns& f, const std::vector<Unknown>& unknowns, State here, const FreeFit& fit, double count,
+               const std::vector<char>& use) {
+  const auto n = static_cast<Eigen::Index>(unknowns.size());
+  std::vector<Misfits> columns;
+  for (const Unknown& u : unknowns) {
+    State moved = here;
+    double& value = moved.value(u);
+    const double step = value + u.step > u.high ? -u.step : u.step;
+    value += step;
+    columns.push_back(free_misfits(f, moved.strength, moved.effects, use));
+    for (std::size_t r = 0; r < fit.misfit.size(); ++r) columns.back()[r] = (fit.misfit[r] - columns.back()[r]) / step;
+  }
+  Slope slope{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
+  const double weight = count / fit.square;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Misfits& a = columns[static_cast<std::size_t>(i)];
+    for (std::size_t r = 0; r < fit.misfit.size(); ++r) {
+      slope.gradient[i] += weight * a[r].dot(fit.misfit[r]);
+      for (Eigen::Index j = 0; j < n; ++j)
+        slope.information(i, j) += weight * a[r].dot(columns[static_cast<std::size_t>(j)][r]);
+    }
+    const Unknown& u = unknowns[static_cast<std::size_t>(i)];
+    const double precision = 1.0 / (u.deviation * u.deviation);
+    slope.information(i, i) += precision, slope.gradient[i] -= precision * (here.value(u) - u.mean);
+  }
+  return slope;
+}
+
+/// The step to the foot of the slope; unknowns that it would carry over a bound are held there, by a stiff spring, and
+/// the others solved for again.
+Eigen::VectorXd bounded_step(const std::vector<Unknown>& unknowns, State here, Slope slope) {
+  Eigen::VectorXd step = slope.information.llt().solve(slope.gradient);
+  for (Eigen::Index i = 0; i < step.size(); ++i) {
+    const Unknown& u = unknowns[static_cast<std::size_t>(i)];
+    const double value = here.value(u), there = std::clamp(value + step[i], u.low, u.high);
+    if (there == value + step[i]) continue;
+    const double spring = 1e8 * slope.information(i, i);
+    slope.information(i, i) += spring, slope.gradient[i] += spring * (there - value);
+    step = slope.information.llt().solve(slope.gradient);
+  }
+  return step;
+}
+
+}  // namespace
+
+FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double strength, const std::vector<char>& use) {
+  State here{strength, start};
+  const std::vector<Unknown> unknowns = unknowns_of(f, start);
+  const double count = count_of(f, use);
+  FreeFit fit;
+  fit.misfit = free_misfits(f, here.strength, here.effects, use);
+  fit.square = square_of(fit.misfit);
+  fit.objective = count * std::log(fit.square) + prior_of(unknowns, here);
+  Slope slope;
+  for (int round = 0; round < rounds; ++round) {
+    slope = slope_at(f, unknowns, here, fit, count, use);
+    const Eigen::VectorXd step = bounded_step(unknowns, here, slope);
+    const double before = fit.objective;
+    bool fell = false;
+    for (double share = 1.0; share > 0.2 && !fell; share *= 0.5) try {
+        State trial = here;
+        for (std::size_t k = 0; k < unknowns.size(); ++k)
+          trial.value(unknowns[k]) = std::clamp(trial.value(unknowns[k]) + share * step[static_cast<Eigen::Index>(k)],
+                                                unknowns[k].low, unknowns[k].high);
+        Misfits misfits = free_misfits(f, trial.strength, trial.effects, use);
+        const double square = square_of(misfits), objective = count * std::log(square) + prior_of(unknowns, trial);
+        fell = objective < fit.objective;
+        if (fell) here = trial, fit.misfit = std::move(misfits), fit.square = square, fit.objective = objective;
+      } catch (const SolveError&) {
+        continue;  // a shorter step
+      }
+    if (!fell || before - fit.objective < settled) break;
+  }
+  fit.strength = here.strength, fit.effects = here.effects;
+  fit.covariance =
+      slope.information.llt().solve(Eigen::MatrixXd::Identity(slope.information.rows(), slope.information.cols()));
+  return fit;
+}
+
+FreeFit fit_strength(const FreeRuns& f, const std::vector<char>& use) {
+  const double sigma = f.data->bed_strength, count = count_of(f, use);
+  double best = 0.0, lowest = 1e300;
+  for (const double deviations : {0.0, -1.5, 1.5, -3.0, 3.0}) try {
+      const double objective =
+          count * std::log(square_of(free_misfits(f, deviations * sigma, {}, use))) + deviations * deviations;
+      if (objective < lowest) lowest = objective, best = deviations * sigma;
+    } catch (const SolveError&) {
+      if (deviations == 0.0) throw;
+    }
+  return fit_free(f, {}, best, use);
+}
+
+double log_evidence_of(const FreeFit& with, const FreeFit& without) {
+  double value = 0.5 * (without.objective - with.objective) +
+                 0.5 * std::log(with.covariance.determinant() / without.covariance.determinant());
+  for (const Applied& a : with.effects) {
+    if (a.effect.fine) continue;
+    const effects::Parameter& p = a.effect.parameters.front();
+    value -= std::log(amplitude_deviation(p));
+    if (amplitude_positive(p)) value += std::log(2.0);
+  }
+  return value;
+}
+
+}  // namespace apc::learning

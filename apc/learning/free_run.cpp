@@ -1,0 +1,94 @@
+#include "apc/learning/free_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "apc/base/parallel.h"
+
+namespace apc::learning {
+namespace {
+
+/// A single sample counts at most so much, and a place that the run does not reach (as scores of predictions do).
+constexpr double largest = 20.0, not_reached = 5.0;
+constexpr std::size_t most_samples = 200;
+
+}  // namespace
+
+FreeSamples free_samples(const Run& run, const Case& data, const RunLayout& at, const Eigen::VectorXd& eta) {
+  FreeSamples samples;
+  const Rows rows = make_rows(run, data);
+  const auto guide = make_guide(run, at, eta);
+  samples.by_place = guide != nullptr;
+  for (std::size_t c = 0; c < run.channels.size(); ++c) {
+    const Channel& channel = run.channels[c];
+    const std::size_t n = rows.samples[c];
+    if (n == 0 || (channel.quantity != Quantity::speed && channel.quantity != Quantity::acceleration_x)) continue;
+    FreeSamples::Series one;
+    one.channel = c;
+    const auto [low, high] =
+        std::minmax_element(channel.value.begin(), channel.value.begin() + static_cast<std::ptrdiff_t>(n));
+    one.scale = std::max(channel.noise, 0.02 * (*high - *low));
+    double way = 0.0, since = 0.0;
+    constexpr double step = 0.02;
+    for (std::size_t i = 0; i < n; i += std::max<std::size_t>(1, n / most_samples)) {
+      const double time = channel.time[i];
+      if (time < 0.0) continue;
+      if (guide)
+        for (; since < time; since += step) way += guide->speed_at(since) * std::min(step, time - since);
+      since = guide ? time : 0.0;
+      one.place.push_back(guide ? way : time), one.value.push_back(channel.value[i]);
+    }
+    if (one.place.empty()) continue;
+    samples.size += static_cast<Eigen::Index>(one.place.size());
+    samples.series.push_back(std::move(one));
+  }
+  if (run.stop) ++samples.size;
+  return samples;
+}
+
+Eigen::VectorXd free_misfit(const Run& run, const FreeSamples& samples, const Trace& trace,
+                            const aircraft::Aircraft& craft) {
+  Eigen::VectorXd misfit(samples.size);
+  const simulation::History& h = trace.result.history;
+  const double channels = static_cast<double>(samples.series.size()) + (run.stop ? 1.0 : 0.0);
+  Eigen::Index next = 0;
+  for (const auto& s : samples.series) {
+    const Signal signal(h, run.channels[s.channel], craft);
+    const double weight = 1.0 / std::sqrt(channels * static_cast<double>(s.place.size()));
+    for (std::size_t i = 0; i < s.place.size(); ++i) {
+      const bool reached = !samples.by_place || s.place[i] <= h.distance.back();
+      const double time = samples.by_place ? at_place(h.distance, h.time, s.place[i]) : s.place[i];
+      misfit[next++] =
+          weight * (reached ? std::clamp((s.value[i] - signal(time)) / s.scale, -largest, largest) : not_reached);
+    }
+  }
+  if (run.stop)
+    misfit[next] =
+        std::clamp((*run.stop - trace.stop) / std::max(0.3, 0.02 * *run.stop), -largest, largest) / std::sqrt(channels);
+  return misfit;
+}
+
+FreeRuns free_runs(const Case& data, unsigned threads) {
+  FreeRuns f;
+  f.data = &data, f.threads = threads;
+  f.layout = make_layout(data, data.runs);
+  f.eta = prior_mean(f.layout, data.runs);
+  for (std::size_t r = 0; r < data.runs.size(); ++r)
+    f.samples.push_back(free_samples(data.runs[r], data, f.layout.runs[r], f.eta));
+  return f;
+}
+
+std::vector<Eigen::VectorXd> free_misfits(const FreeRuns& f, double strength,
+                                          const std::vector<effects::Applied>& effects, const std::vector<char>& use) {
+  Eigen::VectorXd eta = f.eta;
+  eta[f.layout.bed_strength] = strength;
+  std::vector<Eigen::VectorXd> misfits(f.samples.size());
+  parallel_for(f.samples.size(), f.threads, [&](std::size_t r) {
+    if ((!use.empty() && !use[r]) || f.samples[r].size == 0) return;
+    misfits[r] = free_misfit(f.data->runs[r], f.samples[r],
+                             simulate_run(*f.data, f.layout, r, f.data->runs[r], eta, effects), f.data->aircraft);
+  });
+  return misfits;
+}
+
+}  // namespace apc::learning

@@ -1,0 +1,41 @@
+/// Free runs of a model against measured ones. The error of a run is that of metrics.h, kept as a vector whose squared
+/// length is the square of the error.
+#pragma once
+
+#include "apc/learning/forward.h"
+
+namespace apc::learning {
+
+/// Measured samples of one run at the places where they were taken.
+struct FreeSamples {
+  struct Series {
+    std::size_t channel = 0;
+    std::vector<double> place, value;  ///< m from the leading edge; times, s, where no speed was recorded
+    double scale = 1.0;                ///< larger of the noise and 2 % of the range
+  };
+  std::vector<Series> series;  ///< speed and acceleration_x
+  bool by_place = false;
+  Eigen::Index size = 0;  ///< of the misfit: all samples, and the stop
+};
+FreeSamples free_samples(const Run&, const Case&, const RunLayout&, const Eigen::VectorXd& eta);
+
+/// (measured − simulated) / scale, weighted so that the squared length is the mean over the channels (the stop is one)
+/// of the mean square. A single sample counts at most 20², a place the run does not reach 5².
+Eigen::VectorXd free_misfit(const Run&, const FreeSamples&, const Trace&, const aircraft::Aircraft&);
+
+/// The runs of a case at which its model may be held. The case must outlive it.
+struct FreeRuns {
+  const Case* data = nullptr;
+  Layout layout;
+  Eigen::VectorXd eta;  ///< the nominal model
+  std::vector<FreeSamples> samples;
+  unsigned threads = 0;
+};
+FreeRuns free_runs(const Case&, unsigned threads);
+
+/// Misfits of all runs at this strength (logarithm, over the data sheet's) with effects; empty for runs that tell
+/// nothing or where `use` (if given) is false. SolveError when a run cannot be simulated.
+std::vector<Eigen::VectorXd> free_misfits(const FreeRuns&, double strength, const std::vector<effects::Applied>&,
+                                          const std::vector<char>& use = {});
+
+}  // namespace apc::learning

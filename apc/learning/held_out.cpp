@@ -1,0 +1,40 @@
+#include "apc/learning/held_out.h"
+
+#include <cmath>
+
+#include "apc/base/require.h"
+
+namespace apc::learning {
+
+HeldOut leave_one_out(const FreeRuns& f, const std::vector<effects::Applied>& effects, double strength) {
+  HeldOut result;
+  const std::size_t n = f.samples.size();
+  std::vector<std::size_t> telling;
+  for (std::size_t r = 0; r < n; ++r)
+    if (f.samples[r].size > 0) telling.push_back(r);
+  if (telling.size() < 2) return result;
+  for (const std::size_t r : telling) try {
+      std::vector<char> others(n, 1);
+      others[r] = 0;
+      const FreeFit without = fit_strength(f, others), with = fit_free(f, effects, strength, others);
+      const auto error = [&](const FreeFit& fit) {
+        Eigen::VectorXd eta = f.eta;
+        eta[f.layout.bed_strength] = fit.strength;
+        return compare(*f.data, f.layout, r, f.data->runs[r], eta, fit.effects);
+      };
+      LeftOut one{f.data->runs[r].id, error(without), error(with), {}, 0.0};
+      for (const auto& e : with.effects) one.amplitude.push_back(e.values.front());
+      one.gain = told_by_a_run * std::log(std::max(1e-6, one.before.total) / std::max(1e-6, one.after.total));
+      result.runs.push_back(std::move(one));
+    } catch (const SolveError&) {
+      continue;
+    }
+  for (const LeftOut& one : result.runs) {
+    result.before += one.before.total * one.before.total / static_cast<double>(result.runs.size());
+    result.after += one.after.total * one.after.total / static_cast<double>(result.runs.size());
+  }
+  result.before = std::sqrt(result.before), result.after = std::sqrt(result.after);
+  return result;
+}
+
+}  // namespace apc::learning

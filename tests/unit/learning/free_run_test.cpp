@@ -1,0 +1,113 @@
+// Free runs: their errors are those of the comparison, strength and sizes come back from runs that hold them, effects
+// are weighed by what they mend, and leaving runs out tells help from harm.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apc/effects/catalogue.h"
+#include "apc/learning/free_evidence.h"
+#include "apc/learning/held_out.h"
+#include "tests/support/surveyed_runs.h"
+
+namespace apc::learning {
+namespace {
+
+Case made(const std::vector<effects::Applied>& hidden, double scatter, unsigned seed = 1) {
+  testing::SurveyedRuns wanted;
+  wanted.speeds = {20.0, 26.0, 30.0, 34.0}, wanted.masses = {50000.0, 60000.0, 66000.0, 70000.0};
+  wanted.hidden = hidden;
+  wanted.block_strength = scatter, wanted.sinking = 1.0, wanted.seed = seed;
+  return testing::surveyed_case(wanted);
+}
+
+effects::Applied inertia(double C) {
+  return effects::applied(effects::find_effect(effects::catalogue(), "inertial"), C);
+}
+
+TEST(FreeRun, SquaredLengthOfTheMisfitIsTheErrorOfTheComparison) {
+  const Case data = made({inertia(0.6)}, 0.02);
+  const FreeRuns f = free_runs(data, 0);
+  const auto misfits = free_misfits(f, 0.0, {});
+  for (std::size_t r = 0; r < data.runs.size(); ++r) {
+    const double error = compare(data, f.layout, r, data.runs[r], f.eta, {}).total;
+    EXPECT_GT(error, 1.0) << "a hidden inertia is an error";
+    EXPECT_NEAR(misfits[r].norm(), error, 0.02 * error);
+  }
+}
+
+TEST(FreeRun, AModelThatIsRightErrsByTheInstruments) {
+  const Case data = made({}, 1e-4);
+  // Speed and acceleration within their noise or 2 % of the range, the stop within 2 %.
+  for (const auto& misfit : free_misfits(free_runs(data, 0), 0.0, {})) EXPECT_LT(misfit.norm(), 1.2);
+}
+
+TEST(FreeRun, RunsThatAreNotUsedTellNothing) {
+  const Case data = made({}, 1e-4);
+  const auto misfits = free_misfits(free_runs(data, 0), 0.0, {}, {1, 0, 1, 1});
+  EXPECT_GT(misfits[0].size(), 0);
+  EXPECT_EQ(misfits[1].size(), 0);
+}
+
+TEST(FreeFit, FindsTheSizeOfAnEffectBesideTheStrength) {
+  const Case data = made({inertia(0.6)}, 0.01);
+  const FreeRuns f = free_runs(data, 0);
+  const FreeFit none = fit_strength(f), with = fit_free(f, {inertia(0.1)}, none.strength);
+  std::printf("without: strength %.3f, S %.1f; with: strength %.3f, C %.3f ± %.3f, S %.1f\n", none.strength,
+              none.square, with.strength, with.effects[0].values[0], std::sqrt(with.covariance(1, 1)), with.square);
+  EXPECT_LT(with.square, 0.3 * none.square);
+  EXPECT_NEAR(with.effects[0].values[0], 0.6, 0.06);
+  EXPECT_NEAR(with.strength, 0.0, 0.03);
+  EXPECT_GT(log_evidence_of(with, none), 4.0);
+}
+
+TEST(FreeFit, AnAmplitudeStaysInItsRange) {
+  const Case data = made({}, 0.02);
+  const FreeRuns f = free_runs(data, 0);
+  const FreeFit fit = fit_free(f, {inertia(0.2)}, 0.0);
+  EXPECT_GE(fit.effects[0].values[0], 0.0) << "foam is not thrown forward";
+  EXPECT_LT(fit.effects[0].values[0], 0.1);
+}
+
+TEST(FreeEvidence, ARightEffectLeadsAndWeighsNothingWhereItIsNot) {
+  std::vector<effects::Effect> laws;
+  for (const char* id : {"inertial", "softening", "slope", "oleo_friction", "temperature"})
+    laws.push_back(effects::find_effect(effects::catalogue(), id));
+  const Case hidden = made({inertia(0.6)}, 0.04, 3), clean = made({}, 0.04, 3);
+  const auto with = weigh_free(hidden, laws, 0, {}), without = weigh_free(clean, laws, 0, {});
+  ASSERT_TRUE(with && without);
+  for (const auto& law : laws)
+    std::printf("%-14s %.1f where inertia is hidden, %.1f where nothing is\n", law.id.c_str(), with->of({law.id}),
+                without->of({law.id}));
+  for (const auto& law : laws) {
+    if (law.id != "inertial") EXPECT_GT(with->of({"inertial"}), with->of({law.id}) + 2.0) << law.id;
+    EXPECT_LT(without->of({law.id}), 3.0) << law.id;
+  }
+  EXPECT_GT(with->of({"inertial"}), 4.0);
+  EXPECT_EQ(with->of({"inertial", "seams"}), with->of({"inertial"})) << "joints are not seen by free runs";
+}
+
+TEST(HeldOut, ARightEffectHelpsRunsItWasNotFittedTo) {
+  const Case data = made({inertia(0.6)}, 0.03);
+  const HeldOut held = leave_one_out(free_runs(data, 0), {inertia(0.3)}, 0.0);
+  ASSERT_EQ(held.runs.size(), data.runs.size());
+  std::printf("error %.2f before, %.2f after\n", held.before, held.after);
+  EXPECT_TRUE(held.helps());
+  EXPECT_LT(held.after, 0.6 * held.before);
+}
+
+TEST(HeldOut, NothingHelpsWhereNothingIsMissing) {
+  const Case data = made({}, 1e-4);
+  const HeldOut held = leave_one_out(free_runs(data, 0), {inertia(0.1)}, 0.0);
+  EXPECT_FALSE(held.helps()) << held.before << " -> " << held.after;
+}
+
+TEST(HeldOut, OneRunProvesNothing) {
+  Case data = made({inertia(0.6)}, 0.03);
+  data.runs.resize(1);
+  const HeldOut held = leave_one_out(free_runs(data, 0), {inertia(0.3)}, 0.0);
+  EXPECT_TRUE(held.runs.empty());
+  EXPECT_FALSE(held.helps());
+}
+
+}  // namespace
+}  // namespace apc::learning
