@@ -15,15 +15,19 @@ using simulation::GearSummary;
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
   for (const auto& addition : additions(record)) out += "  with           " + addition + "\n";
-  if (result.outcome == simulation::Outcome::gear_limit) out += "  " + result.message + "\n";
+  using simulation::Outcome;
+  const char* held = result.gear_failed() ? " (if the gear had held)" : "";
+  if (result.outcome == Outcome::gear_limit || result.outcome == Outcome::pitched_over)
+    out += "  " + result.message + "\n";
   if (std::isfinite(result.stop_distance))
-    out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
+    out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry{}\n",
                        shown(result.stop_distance, measure::distance, units),
                        shown(result.runway_distance, measure::distance, units),
-                       shown(result.stop_time, measure::time, units));
+                       shown(result.stop_time, measure::time, units), held);
   else
-    out += fmt::format("  left the bed   at {}, {} after entry\n", shown(result.exit_speed, measure::speed, units),
-                       shown(result.stop_time, measure::time, units));
+    out += fmt::format(
+        "  {}   at {}, {} after entry{}\n", result.outcome == Outcome::pitched_over ? "pitched over" : "left the bed",
+        shown(result.exit_speed, measure::speed, units), shown(result.stop_time, measure::time, units), held);
   out += fmt::format("  deceleration   peak {}, largest 0.1 s mean {}, mean {}\n",
                      shown(result.peak_deceleration, measure::acceleration, units),
                      shown(result.peak_deceleration_100ms, measure::acceleration, units),
@@ -137,6 +141,7 @@ std::string coverage_text(const simulation::CoverageSummary& coverage) {
     if (share > 0) text += fmt::format("; {} {}", what, percent(share, 1));
   };
   add(coverage.speed_below, "speed below the range");
+  add(coverage.speed_above, "speed above it");
   add(coverage.depth_outside, "bed depth outside");
   add(coverage.penetration_outside, "penetration outside");
   return text;

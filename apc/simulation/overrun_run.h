@@ -1,14 +1,22 @@
 /// The course of one run, whatever the solver: steps, events at jumps, ruts, observation, energy.
 #pragma once
 
+#include "apc/base/units.h"
 #include "apc/simulation/energy.h"
 #include "apc/simulation/observer.h"
 
 namespace apc::simulation {
 
+enum class End { rest, far_end, pitched_over };
+
+/// The pitch, up or down from the static one, at which a run ends. Turned by 20° about the main wheels the nose of the
+/// smallest shipped aircraft (wheelbase 11.4 m) is 3.9 m lower, in the ground: fuselage and foam, which have no law
+/// here, met before. What comes so far is falling over, whatever the exact angle.
+inline constexpr double overturning_pitch = 20.0 * units::deg;
+
 /// Where and how the motion ended.
 struct Ending {
-  bool left_bed = false;
+  End end = End::rest;
   double time = 0.0;  ///< s after entry, of the last computed state
   std::vector<double> state;
   double acceleration = 0.0;  ///< m/s² of the cg there

@@ -21,6 +21,8 @@ const char* text(Outcome outcome) {
       return "left_bed";
     case Outcome::gear_limit:
       return "gear_limit";
+    case Outcome::pitched_over:
+      return "pitched_over";
   }
   return "?";
 }
@@ -57,10 +59,18 @@ void fill_ending(const Plant& plant, const Ending& end, Result& result) {
   const double distance = nose_distance(plant, end.state.data());
   result.stop_time = end.time;
   double length = distance;
-  if (end.left_bed) {
-    result.outcome = Outcome::left_bed;
+  if (end.end != End::rest) {
     result.stop_distance = result.runway_distance = std::numeric_limits<double>::quiet_NaN();
     result.exit_speed = cg_speed(plant, end.state.data());
+  }
+  if (end.end == End::pitched_over) {
+    result.outcome = Outcome::pitched_over;
+    result.message =
+        fmt::format("pitched over: nose {} by {:.0f} deg {:.1f} m ({:.0f} ft) into the bed, at {:.1f} m/s ({:.0f} kt)",
+                    end.state[2] < 0.0 ? "down" : "up", std::abs(end.state[2]) / units::deg, distance,
+                    distance / units::ft, result.exit_speed, result.exit_speed / units::kt);
+  } else if (end.end == End::far_end) {
+    result.outcome = Outcome::left_bed;
     result.message =
         fmt::format("left the bed's far end, {:.1f} m ({:.0f} ft) from its leading edge, at {:.1f} m/s ({:.0f} kt)",
                     distance, distance / units::ft, result.exit_speed, result.exit_speed / units::kt);
@@ -148,7 +158,7 @@ Result finish(const Model& model, const Overrun& overrun, const Options& options
   prepared.observer.finish(result);
   result.solver = end.statistics;
   result.solver.rtol = options.rtol;
-  if (history && !end.left_bed) {
+  if (history && end.end == End::rest) {
     result.history.time.back() = result.stop_time;
     result.history.distance.back() = result.stop_distance;
     result.history.speed.back() = 0.0;

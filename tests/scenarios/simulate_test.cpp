@@ -95,9 +95,19 @@ TEST(Simulate, SpeedOutsideTheTablesIsAWarningNotAnError) {
   folder.write("bed.json", with(good_bed(), "[0, 50, 500]", "[0, 50, 900]"));
   auto words = a_stop();
   words.back() = "100 kt";
-  const auto said = run(folder, words);
+  const auto said = run(folder, and_also(words, {"-o", "here"}));
   EXPECT_EQ(said.exit_code, 0) << said.err;
-  EXPECT_TRUE(said.out.starts_with("warning:")) << said.out.substr(0, 200);
+  EXPECT_NE(said.out.find("warning: the nose tire's speed lay above its load table for "), std::string::npos)
+      << said.out.substr(0, 400);
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "here/result.json"));
+  for (const auto* gear : {"nose", "main"}) {
+    const auto& coverage = json.at("table_coverage_by_gear").at(gear);
+    EXPECT_GT(coverage.at("speed_above").get<double>(), 0.05);  // from 100 kt down to the tables' 70
+    EXPECT_LT(coverage.at("speed_below").get<double>(), 0.5);   // below 10 kt
+    EXPECT_GT(coverage.at("speed_below").get<double>(), 0.0);
+  }
+  const auto page = text_of(folder.path() / "here/report.html");
+  EXPECT_NE(page.find("too fast"), std::string::npos);
 }
 
 TEST(Simulate, SlowerEntryStopsShorter) {
