@@ -52,7 +52,8 @@ py::dict simulate(const std::string& aircraft, const py::object& bed, const py::
   require(bed_depth >= 0.2 && bed_depth <= 3, "bed_depth: ", bed_depth, " is outside 0.2 to 3 (× the bed's)");
   run.alterations.bed_strength = bed_strength, run.bed_depth = bed_depth;
   require(method == "reference" || method == "fast", "method: \"", method, "\" is no method: reference or fast");
-  require(rtol >= 1e-12 && rtol <= 1e-2, "rtol: ", rtol, " is outside 1e-12 to 1e-2");
+  require(rtol >= 1e-12 && rtol <= simulation::loosest_rtol, "rtol: ", rtol, " is outside 1e-12 to ",
+          simulation::loosest_rtol);
   const simulation::Options options{method == "fast" ? simulation::Method::fast : simulation::Method::reference, rtol,
                                     sampling, 120.0};
   return result_dict(call([&] { return simulation::simulate(inputs.model, run, options); }));

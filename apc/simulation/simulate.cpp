@@ -55,6 +55,21 @@ void fill_energy(const Plant& plant, const std::vector<double>& start, const End
   result.energy["residual"] = std::abs(before.sum() - after.sum() - lost) / before.kinetic;
 }
 
+/// An account that does not close is no result: either a law is not the derivative of its store, or steps were too
+/// long.
+void judge_energy(const Ending& end, double rtol, Result& result) {
+  constexpr double noticeable = 1e-4, useless = 1e-2;
+  const double residual = result.energy.at("residual");
+  if (residual <= noticeable) return;
+  if (!(residual <= useless))
+    throw SolveError(concat("the energy account is open by ", residual, " of the motion at entry after ", end.time,
+                            " s (at most ", useless, " passes for a result), at ", result.exit_speed, " m/s, ",
+                            result.message, ". Try a tighter --rtol than ", rtol, ", or the reference method"),
+                     end.time);
+  result.warnings.push_back(
+      concat("the energy account is open by ", residual, " of the motion at entry: try a tighter --rtol than ", rtol));
+}
+
 void fill_ending(const Plant& plant, const Ending& end, Result& result) {
   const double distance = nose_distance(plant, end.state.data());
   result.stop_time = end.time;
@@ -113,8 +128,8 @@ Result run(const Model& model, const Overrun& overrun, const Options& options) {
 }
 
 void check(const Options& options) {
-  require(options.rtol > 0.0 && options.rtol < 0.1, "the relative tolerance must lie between 0 and 0.1, not ",
-          options.rtol);
+  require(options.rtol > 0.0 && options.rtol <= loosest_rtol, "the relative tolerance must lie between 0 and ",
+          loosest_rtol, ", not ", options.rtol);
   require(options.sampling >= 0.0, "the sampling interval must not be negative, but is ", options.sampling, " s");
 }
 
@@ -154,6 +169,7 @@ Result finish(const Model& model, const Overrun& overrun, const Options& options
       overrun.cg_behind_nose_gear > 0.0 ? overrun.cg_behind_nose_gear : model.aircraft.cg_behind_nose_gear;
   fill_ending(plant, end, result);
   fill_energy(plant, prepared.start.state, end, result);
+  judge_energy(end, options.rtol, result);
   if (history) close_history(plant, end, prepared.observer);
   prepared.observer.finish(result);
   result.solver = end.statistics;

@@ -77,6 +77,9 @@ enum class Method {
   fast,       ///< fixed-size Rosenbrock; same results within 1 mm
 };
 
+/// Looser, stops are off by centimetres and more.
+inline constexpr double loosest_rtol = 1e-4;
+
 struct Options {
   Method method = Method::reference;
   double rtol = 1e-6;

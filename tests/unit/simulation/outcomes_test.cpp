@@ -147,5 +147,33 @@ TEST(Outcomes, CoverageWatchesEveryRowOfABogie) {
   }
 }
 
+TEST(Outcomes, AnOpenEnergyAccountIsAWarningThenNoResult) {
+  const auto model = jet();
+  const auto overrun = at(60);
+  Options options;
+  options.sampling = 0.0;
+  Prepared prepared(model, overrun, options);
+  auto end = run_reference(prepared.plant, prepared.start.state, 1e-6, 600.0, prepared.observer);
+  const double kinetic = finish(model, overrun, options, prepared, end).energy.at("kinetic");
+  EXPECT_THAT(finish(model, overrun, options, prepared, end).warnings, Not(Contains(HasSubstr("energy"))));
+  end.dissipated[0] += 1e-3 * kinetic;
+  EXPECT_THAT(finish(model, overrun, options, prepared, end).warnings, Contains(HasSubstr("energy account")));
+  end.dissipated[0] += 2e-2 * kinetic;
+  try {
+    finish(model, overrun, options, prepared, end);
+    FAIL() << "taken for a result";
+  } catch (const SolveError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--rtol"));
+    EXPECT_GT(error.time, 1.0);
+  }
+}
+
+TEST(Outcomes, ToleranceAndSpeedThatMeanNothingAreRefused) {
+  Options options;
+  options.rtol = 2e-4;
+  EXPECT_THROW(simulate(jet(), at(60), options), InputError);
+  EXPECT_THROW(simulate(jet(), at(0.05)), InputError);  // 0.026 m/s
+}
+
 }  // namespace
 }  // namespace apc::simulation
