@@ -48,6 +48,8 @@ std::vector<double> absolute_tolerances(const Plant&, double rtol);
 /// Thrust against a drag that fades below a few `creep_speed` would roll on for ever where the unfaded drag is larger:
 /// the deceleration (> 0, m/s²) with which it really comes to rest. 0 while the speed still falls, or would not.
 double held_up_by_fading(const Plant&, const Surroundings&, double time, const double* y, const Moment&);
+/// A state in words, for messages: speed, place, pitch, strokes.
+std::string in_words(const Plant&, const double* y);
 /// The cg's ground speed at a state.
 double cg_speed(const Plant&, const double* y);
 

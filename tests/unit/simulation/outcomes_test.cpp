@@ -175,5 +175,17 @@ TEST(Outcomes, ToleranceAndSpeedThatMeanNothingAreRefused) {
   EXPECT_THROW(simulate(jet(), at(0.05)), InputError);  // 0.026 m/s
 }
 
+TEST(Outcomes, AnAircraftThatWouldFlyIsToldSo) {
+  auto model = jet();
+  model.aircraft.aero.CL = 3.0;
+  try {
+    simulate(model, at(120));
+    FAIL() << "trimmed";
+  } catch (const SolveError& error) {
+    for (const char* part : {"t = 0 s", "the lift of", "it would fly", "Lower the speed", "speed 61.7", "strokes nose"})
+      EXPECT_THAT(error.what(), HasSubstr(part));
+  }
+}
+
 }  // namespace
 }  // namespace apc::simulation
