@@ -79,6 +79,25 @@ void add_energy(std::string& out, const OverrunRecord& record, UnitSystem units)
     out += fmt::format("    {:<24}{:>20.1e}\n", "residual, relative", residual->second);
 }
 
+/// In SI whatever the report's units: derivatives are compared with the result file's numbers.
+void add_sensitivities(std::string& out, const OverrunRecord& record) {
+  if (record.sensitivities.empty()) return;
+  out += fmt::format("\n  {:<30}{:>18}{:>18}{:>18}", "derivative by one unit of", "stop m", "exit speed m/s",
+                     "peak decel. m/s^2");
+  for (const auto& gear : record.sensitivities.front().by.gears)
+    out += fmt::format("{:>16}{:>16}", gear.name + " drag N", "vertical N");
+  out += "\n";
+  const auto value = [](double x) { return std::isfinite(x) ? fmt::format("{:.5g}", x) : std::string("-"); };
+  for (const auto& [by, unit] : record.sensitivities) {
+    const auto name = by.parameter + (unit == "1" ? "" : ", " + unit);
+    out += fmt::format("  {:<30}{:>18}{:>18}{:>18}", name, value(by.stop_distance), value(by.exit_speed),
+                       value(by.peak_deceleration));
+    for (const auto& gear : by.gears)
+      out += fmt::format("{:>16}{:>16}", value(gear.peak_drag), value(gear.peak_vertical));
+    out += "\n";
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> additions(const OverrunRecord& record) {
@@ -164,6 +183,7 @@ std::string brief(const OverrunRecord& record, UnitSystem units) {
   add_outcome(out, record, units);
   add_gears(out, record, units);
   add_energy(out, record, units);
+  add_sensitivities(out, record);
   out += "\n";
   for (const auto& coverage : result.coverage)
     out += fmt::format("  load table     {:<6}{}: {}\n", coverage.gear, coverage.tire, coverage_text(coverage));

@@ -58,10 +58,18 @@ Value inputs_json(const OverrunRecord& record) {
   out["entry_speed"] = overrun.entry_speed;
   out["mass"] = record.result.mass;
   out["cg_behind_nose_gear"] = record.result.cg_behind_nose_gear;
+  out["pitch_inertia"] = overrun.pitch_inertia > 0.0
+                             ? overrun.pitch_inertia
+                             : record.model.aircraft.pitch_inertia * record.result.mass / record.model.aircraft.mass;
   out["braking"] = overrun.braking;
   out["braking_in_bed"] = overrun.braking_in_bed < 0 ? overrun.braking : overrun.braking_in_bed;
   out["thrust"] = overrun.thrust;
   out["headwind"] = overrun.headwind;
+  out["brake_mode"] = overrun.brake_mode == simulation::BrakeMode::friction ? "friction" : "torque";
+  out["wheel_spin"] = overrun.wheel_spin == simulation::WheelSpin::inertial ? "inertial" : "free";
+  out["rut_bearing_gain"] = overrun.rut_following.bearing_gain;
+  out["rut_rolling_resistance"] = overrun.rut_following.rolling_resistance;
+  out["bed_depth"] = overrun.bed_depth;
   out["sinking"] = overrun.sinking.vertical;
   if (!overrun.alterations.effects.empty()) {
     out["effects"] = Value::array();
@@ -76,6 +84,23 @@ Value inputs_json(const OverrunRecord& record) {
   out["method"] = record.options.method == simulation::Method::fast ? "fast" : "reference";
   out["rtol"] = record.options.rtol;
   out["sampling"] = record.options.sampling;
+  return out;
+}
+
+/// d(result)/d(parameter), SI per unit of the parameter.
+Value sensitivities_json(const OverrunRecord& record) {
+  Value out = Value::object();
+  for (const auto& [of, unit] : record.sensitivities) {
+    auto& one = out[of.parameter];
+    one["unit"] = unit;
+    one["stop_distance"] = number_or_null(of.stop_distance);
+    one["exit_speed"] = number_or_null(of.exit_speed);
+    one["peak_deceleration"] = number_or_null(of.peak_deceleration);
+    for (const auto& gear : of.gears) {
+      one["gears"][gear.name]["peak_drag"] = number_or_null(gear.peak_drag);
+      one["gears"][gear.name]["peak_vertical"] = number_or_null(gear.peak_vertical);
+    }
+  }
   return out;
 }
 
@@ -119,6 +144,7 @@ std::string result_json(const OverrunRecord& record) {
                                                     {"depth_outside", coverage.depth_outside},
                                                     {"penetration_outside", coverage.penetration_outside}};
   }
+  if (!record.sensitivities.empty()) out["sensitivities"] = sensitivities_json(record);
   out["solver"] = {{"method", result.solver.method},
                    {"rtol", result.solver.rtol},
                    {"steps", result.solver.steps},
