@@ -3,6 +3,8 @@
 #include <set>
 
 #include "aircraft/aircraft.h"
+#include "aircraft/limits.h"
+#include "aircraft/sprung_body.h"
 #include "aircraft/static_stand.h"
 #include "aircraft/strut.h"
 #include "apc/base/json.h"
@@ -58,15 +60,11 @@ Strut read_strut(const Json& json) {
   return strut;
 }
 
-GearLimits read_limits(const Json& gear) {
+GearLimits read_limits(const Json& json) {
   GearLimits limits;
-  if (!gear.has("limits")) return limits;
-  const auto json = gear.object("limits");
   limits.drag_limit = not_negative(json, "drag_limit", json.quantity("drag_limit", dimension::force, 0.0));
   limits.drag_ultimate = not_negative(json, "drag_ultimate", json.quantity("drag_ultimate", dimension::force, 0.0));
   limits.vertical_limit = not_negative(json, "vertical_limit", json.quantity("vertical_limit", dimension::force, 0.0));
-  json.check(limits.drag_ultimate == 0.0 || limits.drag_ultimate >= limits.drag_limit, "drag_ultimate",
-             "is below the limit load. 14 CFR 25.303 asks for 1.5 times the limit");
   json.ignore("sources");
   return limits;
 }
@@ -77,7 +75,8 @@ int count(const Json& json, const std::string& key, int most) {
   return value;
 }
 
-Gear read_gear(const Json& json, const Json& strut, const TireLibrary& library, Aircraft& aircraft) {
+Gear read_gear(const Json& json, const Json& strut, const Json* limits, const TireLibrary& library,
+               Aircraft& aircraft) {
   Gear gear;
   gear.name = json.text("name");
   gear.behind_nose_gear = json.quantity("behind_nose_gear", dimension::length);
@@ -109,7 +108,7 @@ Gear read_gear(const Json& json, const Json& strut, const TireLibrary& library, 
   gear.track = not_negative(json, "track", json.quantity("track", dimension::length, 0.0));
   gear.wheel_spacing = not_negative(json, "wheel_spacing", json.quantity("wheel_spacing", dimension::length, 0.0));
   gear.strut = read_strut(strut);
-  gear.limits = read_limits(json);
+  if (limits) gear.limits = read_limits(*limits);
   json.ignore("sources");
   return gear;
 }
@@ -119,6 +118,9 @@ void read_body(const Json& file, const Json& cg, Aircraft& aircraft) {
   aircraft.pitch_inertia = positive(file, "pitch_inertia", dimension::inertia,
                                     "must be positive: no body resists pitching with a negative or zero inertia");
   aircraft.ramp_mass = not_negative(file, "ramp_mass", file.quantity("ramp_mass", dimension::mass, 0.0));
+  file.check(aircraft.ramp_mass == 0.0 || aircraft.ramp_mass >= aircraft.mass, "ramp_mass",
+             concat("is below the mass of ", aircraft.mass,
+                    " kg: no aircraft rolls heavier than its design ramp weight. Raise ramp_mass or lower mass"));
   aircraft.landing_mass = not_negative(file, "landing_mass", file.quantity("landing_mass", dimension::mass, 0.0));
   aircraft.cg_behind_nose_gear = cg.quantity("behind_nose_gear", dimension::length);
   aircraft.cg_height = positive(cg, "height", dimension::length, "must be above the pavement");
@@ -140,8 +142,21 @@ void read_body(const Json& file, const Json& cg, Aircraft& aircraft) {
   }
 }
 
+/// An ultimate load below the limit load in force, which may be a rule's where the file gives none.
+void check_ultimate(const std::vector<Json>& limits, const Aircraft& aircraft) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double ultimate = aircraft.gears[i].limits.drag_ultimate;
+    if (ultimate == 0.0) continue;
+    const auto in_force = load_limits(aircraft, aircraft.gears[i]);
+    limits[i].check(ultimate >= in_force.drag_limit, "drag_ultimate",
+                    concat("is below the limit load of ", in_force.drag_limit / units::kN, " kN (", in_force.drag_rule,
+                           "). 14 CFR 25.303 asks for 1.5 times the limit"));
+  }
+}
+
 /// The struts must carry what stands on them, and the rest must leave a body that can move.
-void check_stand(const std::vector<Json>& gears, const std::vector<Json>& struts, Aircraft& aircraft) {
+void check_stand(const Json& file, const std::vector<Json>& gears, const std::vector<Json>& struts,
+                 Aircraft& aircraft) {
   const auto stand = static_stand(aircraft);
   double unsprung = 0.0;
   for (std::size_t i = 0; i < gears.size(); ++i) {
@@ -161,6 +176,11 @@ void check_stand(const std::vector<Json>& gears, const std::vector<Json>& struts
   }
   gears.front().check(unsprung < 0.5 * aircraft.mass, "unsprung_mass",
                       concat("is too large: all gears together weigh ", unsprung, " kg of ", aircraft.mass, " kg"));
+  const auto body = sprung_body(aircraft, aircraft.mass, aircraft.pitch_inertia, aircraft.cg_behind_nose_gear);
+  file.check(
+      body.inertia > 0.0, "pitch_inertia",
+      concat("of ", aircraft.pitch_inertia, " kg m^2 is less than the unsprung masses on the axles alone contribute (",
+             aircraft.pitch_inertia - body.inertia, " kg m^2). Raise it, or lower the unsprung masses"));
 }
 
 }  // namespace
@@ -176,11 +196,13 @@ Aircraft load_aircraft(const std::filesystem::path& path, const TireLibrary& lib
   const auto gears = file.objects("gears");
   file.check(gears.size() >= 2 && gears.size() <= 5, "gears",
              "must list the nose gear and one to four main gear groups");
-  std::vector<Json> struts;
+  std::vector<Json> struts, limits;
   std::set<std::string> names;
   for (const auto& each : gears) {
     struts.push_back(each.object("strut"));
-    aircraft.gears.push_back(read_gear(each, struts.back(), library, aircraft));
+    const bool limited = each.has("limits");
+    limits.push_back(limited ? each.object("limits") : each);
+    aircraft.gears.push_back(read_gear(each, struts.back(), limited ? &limits.back() : nullptr, library, aircraft));
     const auto& gear = aircraft.gears.back();
     each.check(names.insert(gear.name).second, "name", "is given twice. Give every gear group a name of its own");
     each.check((aircraft.gears.size() == 1) == gear.is_nose(), "name",
@@ -198,7 +220,8 @@ Aircraft load_aircraft(const std::filesystem::path& path, const TireLibrary& lib
   cg.check(aircraft.cg_behind_nose_gear < moment / wheels, "behind_nose_gear",
            concat("lies behind the main gear (", moment / wheels,
                   " m behind the nose gear): the aircraft would sit on its tail. Move the cg forward"));
-  check_stand(gears, struts, aircraft);
+  check_stand(file, gears, struts, aircraft);
+  check_ultimate(limits, aircraft);
   file.ignore("sources");
   file.finish();
   return aircraft;

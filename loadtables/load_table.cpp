@@ -2,65 +2,24 @@
 
 #include <cmath>
 
-#include "loadtables/load_table_data.h"
-#include "loadtables/spline_sum.h"
+#include "loadtables/out_of_range.h"
 #include "loadtables/table_lanes.h"
+#include "loadtables/table_point.h"
 
 namespace apc::loadtables {
 
 struct LoadTable::Derived {
   double per_speed, per_depth, per_ratio;  ///< 1/step of the axes
-  double speeds, depths, ratios;           ///< intervals of the axes
+  double speeds, depths, ratios;           ///< intervals of the axes that the look-ups use
   std::size_t by_speed, by_depth;          ///< distances of neighbours among the coefficients
   const SplineKernels& kernels;
+  HardBase base;                 ///< what the tire stands on beyond P_max
   double pavement_scale;         ///< P_max(0)
   std::vector<double> pavement;  ///< (ratio + 2) × responses
   std::vector<double> level;     ///< at no depth: (speed + 2) × (ratio + 2) × responses
 };
 
 namespace {
-
-/// Place of a contact on the table's axes.
-struct Place {
-  double speed, u, ratio, scale;  ///< scale = P_max
-};
-
-Place place(const LoadTable::Data& data, const TireContact& contact) {
-  const double depth = contact.bed_depth > 0.0 ? contact.bed_depth : 0.0;
-  const double scale = data.penetration.at(depth);
-  return {std::abs(contact.speed), DepthScale::at(depth), contact.penetration / scale, scale};
-}
-
-const double* line(const LoadTable::Data& data, const Weights& v, int i, const Weights& u, int j, const Weights& r) {
-  const std::size_t depth = static_cast<std::size_t>(data.depth.coefficients()),
-                    ratio = static_cast<std::size_t>(data.ratio.coefficients());
-  return data.coefficients.data() +
-         ((static_cast<std::size_t>(v.first + i) * depth + static_cast<std::size_t>(u.first + j)) * ratio +
-          static_cast<std::size_t>(r.first)) *
-             responses;
-}
-
-SplineCell cell(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r) {
-  const std::size_t by_j = static_cast<std::size_t>(data.ratio.coefficients()) * responses;
-  return {line(data, v, 0, u, 0, r),
-          static_cast<std::size_t>(data.depth.coefficients()) * by_j,
-          by_j,
-          v.value,
-          u.value,
-          r.value,
-          v.slope,
-          u.slope,
-          r.slope};
-}
-
-void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r,
-              double (&value)[responses]) {
-  spline_kernels().value(cell(data, v, u, r), value);
-}
-
-void evaluate(const LoadTable::Data& data, const Weights& v, const Weights& u, const Weights& r, SplineSums& point) {
-  spline_kernels().slopes(cell(data, v, u, r), point);
-}
 
 /// The four weights at s ≥ 0 intervals above the lower end, nothing else; returns the first coefficient.
 inline int weights_inside(double s, int last, double* w) {
@@ -71,52 +30,6 @@ inline int weights_inside(double s, int last, double* w) {
   w[2] = 2.0 / 3.0 - q * q * (1.0 - 0.5 * q);
   w[3] = t * t * t * (1.0 / 6.0);
   return first;
-}
-
-/// Continuation z → φ(z) of value/edge value that stays positive: z down to ½, an exponential below; C¹.
-double positive(double z) { return z >= 0.5 ? z : 0.5 * std::exp(2.0 * z - 1.0); }
-double positive_slope(double z) { return z >= 0.5 ? 1.0 : std::exp(2.0 * z - 1.0); }
-
-bool beyond(const Axis& axis, double x) { return x < axis.low || x > axis.high(); }
-
-bool outside(const LoadTable::Data& data, const Place& at) {
-  return beyond(data.speed, at.speed) || beyond(data.depth, at.u) || beyond(data.ratio, at.ratio);
-}
-
-Place nearest_inside(const LoadTable::Data& data, Place at) {
-  at.speed = std::clamp(at.speed, data.speed.low, data.speed.high());
-  at.u = std::clamp(at.u, data.depth.low, data.depth.high());
-  at.ratio = std::clamp(at.ratio, data.ratio.low, data.ratio.high());
-  return at;
-}
-
-/// Keeps drag, vertical and rut positive where a linear continuation would not.
-void keep_positive(const LoadTable::Data& data, const Place& at, double (&value)[responses]) {
-  const auto edge = nearest_inside(data, at);
-  double inside[responses];
-  evaluate(data, weights(data.speed, edge.speed), weights(data.depth, edge.u), weights(data.ratio, edge.ratio), inside);
-  for (std::size_t m = drag; m <= rut_depth; ++m)
-    if (value[m] < 0.5 * inside[m]) value[m] = inside[m] * positive(value[m] / inside[m]);
-}
-
-void keep_positive(const LoadTable::Data& data, const Place& at, SplineSums& point) {
-  const auto edge = nearest_inside(data, at);
-  SplineSums inside;
-  evaluate(data, weights(data.speed, edge.speed), weights(data.depth, edge.u), weights(data.ratio, edge.ratio), inside);
-  if (edge.speed != at.speed)
-    for (auto& slope : inside.by_v) slope = 0.0;
-  if (edge.u != at.u)
-    for (auto& slope : inside.by_u) slope = 0.0;
-  if (edge.ratio != at.ratio)
-    for (auto& slope : inside.by_r) slope = 0.0;
-  for (std::size_t m = drag; m <= rut_depth; ++m) {
-    if (point.value[m] >= 0.5 * inside.value[m] || inside.value[m] <= 0.0) continue;
-    const double z = point.value[m] / inside.value[m], of_line = positive_slope(z), of_edge = positive(z) - z * of_line;
-    point.value[m] = inside.value[m] * positive(z);
-    point.by_v[m] = of_line * point.by_v[m] + of_edge * inside.by_v[m];
-    point.by_u[m] = of_line * point.by_u[m] + of_edge * inside.by_u[m];
-    point.by_r[m] = of_line * point.by_r[m] + of_edge * inside.by_r[m];
-  }
 }
 
 LoadAlong along(const LoadWithSlopes& all) {
@@ -188,10 +101,15 @@ LoadTable::LoadTable(std::shared_ptr<const Data> data) : data_(std::move(data)) 
           data_->coefficients.data() + static_cast<std::size_t>(i * data_->depth.coefficients() + u.first + j) * length;
       for (std::size_t k = 0; k < length; ++k) line[k] += u.value[j] / data_->speed.nodes * c[k];
     }
+  HardBase base{MonotoneCurve(data_->tire.curve_deflection, data_->tire.curve_load), data_->penetration.deflection,
+                0.0};
+  const auto edge = along(line.data() + 4 * weights(data_->ratio, last_ratio(data_->ratio)).first,
+                          weights(data_->ratio, last_ratio(data_->ratio)), 1.0);
+  base.rolling_resistance = edge.load.drag / edge.load.vertical;
   derived_ = std::make_shared<const Derived>(
       Derived{1.0 / data_->speed.step, 1.0 / data_->depth.step, 1.0 / data_->ratio.step, data_->speed.nodes - 1.0,
-              data_->depth.nodes - 1.0, data_->ratio.nodes - 1.0,
-              length * static_cast<std::size_t>(data_->depth.coefficients()), length, spline_kernels(),
+              data_->depth.nodes - 1.0, last_ratio_steps(data_->ratio),
+              length * static_cast<std::size_t>(data_->depth.coefficients()), length, spline_kernels(), std::move(base),
               data_->penetration.at(0.0), std::move(line), sum_over_depth(*data_, 0.0)});
 }
 
@@ -214,21 +132,20 @@ TireLoad LoadTable::load(const TireContact& contact) const {
         {first, derived_->by_speed, derived_->by_depth, weight, weight + 4, weight + 8, nullptr, nullptr, nullptr},
         value);
   } else {
-    evaluate(data, weights(data.speed, at.speed), weights(data.depth, at.u), weights(data.ratio, at.ratio), value);
-    keep_positive(data, at, value);
+    return load_out_of_range(data, derived_->base, contact).load;
   }
   return {value[drag], value[vertical], value[rut_depth], 1.0 - value[slip]};
 }
 
 LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
   if (!(contact.penetration > 0.0)) return {};
+  if (out_of_range(*data_, contact)) [[unlikely]]
+    return load_out_of_range(*data_, derived_->base, contact);
   const auto at = place(*data_, contact);
   SplineSums point;
   evaluate(*data_, weights(data_->speed, derived_->per_speed, at.speed),
            weights(data_->depth, derived_->per_depth, at.u), weights(data_->ratio, derived_->per_ratio, at.ratio),
            point);
-  if (outside(*data_, at)) [[unlikely]]
-    keep_positive(*data_, at, point);
   // r = P / P_max(h): the depth moves both u and, at fixed penetration, r.
   const double depth = contact.bed_depth > 0.0 ? contact.bed_depth : 0.0;
   const double per_penetration = 1.0 / at.scale;
@@ -251,7 +168,7 @@ LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
 LoadAlong LoadTable::load_on_pavement(double penetration) const {
   if (!(penetration > 0.0)) return {};
   const double per_scale = 1.0 / derived_->pavement_scale, ratio = penetration * per_scale;
-  if (beyond(data_->ratio, ratio)) [[unlikely]]
+  if (beyond_ratio(data_->ratio, ratio)) [[unlikely]]
     return along(load_with_slopes({data_->speed.low, 0.0, penetration}));
   const auto r = weights(data_->ratio, derived_->per_ratio, ratio);
   return along(derived_->pavement.data() + 4 * r.first, r, per_scale);
@@ -260,7 +177,7 @@ LoadAlong LoadTable::load_on_pavement(double penetration) const {
 PenetrationLine::PenetrationLine(const LoadTable& table, double speed, double bed_depth)
     : table_(table), speed_(speed), depth_(bed_depth) {
   const auto at = place(table.data(), {speed, bed_depth, 0.0});
-  outside_ = outside(table.data(), at) || table.data().ratio.coefficients() < window;
+  outside_ = out_of_range(table.data(), {speed, bed_depth, 0.0}) || table.data().ratio.coefficients() < window;
   scale_ = at.scale;
   const auto v = weights(table.data().speed, at.speed), u = weights(table.data().depth, at.u);
   speed_first_ = v.first;
@@ -273,7 +190,7 @@ LoadAlong PenetrationLine::at(double penetration) {
   if (!(penetration > 0.0)) return {};
   const auto& data = table_.data();
   const double per_penetration = 1.0 / scale_, ratio = penetration * per_penetration;
-  if (outside_ || beyond(data.ratio, ratio)) [[unlikely]]
+  if (outside_ || beyond_ratio(data.ratio, ratio)) [[unlikely]]
     return along(table_.load_with_slopes({speed_, depth_, penetration}));
   const auto r = weights(data.ratio, ratio);
   if (first_ < 0 || r.first < first_ || r.first > first_ + window - 4) {
@@ -303,6 +220,7 @@ TableNumbers LoadTable::numbers() const {
           data.speed.nodes - 1.0,
           data.depth.nodes - 1.0,
           data.ratio.nodes - 1.0,
+          last_ratio_steps(data.ratio),
           by_depth * static_cast<double>(data.depth.coefficients()),
           by_depth,
           data.penetration.compaction,

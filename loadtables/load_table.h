@@ -17,7 +17,8 @@
 
 namespace apc::loadtables {
 
-/// Where in the fitted range a contact lies. Outside, values continue linearly and smoothly; they are never clamped.
+/// Where in the fitted range a contact lies. Outside, values continue, never clamped: linearly along speed and depth,
+/// by the tire on crushed foam beyond P_max (out_of_range.h).
 struct Coverage {
   bool speed = true, bed_depth = true, penetration = true;  ///< true = inside
   bool inside() const { return speed && bed_depth && penetration; }

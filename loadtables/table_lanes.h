@@ -20,6 +20,7 @@ struct TableNumbers {
   double speed_low, depth_low, ratio_low;  ///< lower ends of the axes
   double per_speed, per_depth, per_ratio;  ///< 1/step
   double speeds, depths, ratios;           ///< intervals
+  double last_ratio;                       ///< intervals of the ratio that are asked, up to P_max
   double by_speed, by_depth;               ///< distances of neighbours among the coefficients
   double compaction, deflection, diameter, rounding;
   const double* pavement;  ///< coefficients along the ratio at no bed depth
@@ -64,6 +65,7 @@ class TableLanes {
     speed_low_.set(lane, n.speed_low), depth_low_.set(lane, n.depth_low), ratio_low_.set(lane, n.ratio_low);
     per_speed_.set(lane, n.per_speed), per_depth_.set(lane, n.per_depth), per_ratio_.set(lane, n.per_ratio);
     speeds_.set(lane, n.speeds), depths_.set(lane, n.depths), ratios_.set(lane, n.ratios);
+    last_ratio_.set(lane, n.last_ratio);
     stride_i_.set(lane, n.by_speed), stride_j_.set(lane, n.by_depth);
     compaction_.set(lane, n.compaction), deflection_.set(lane, n.deflection);
     diameter_.set(lane, n.diameter), rounding_.set(lane, n.rounding);
@@ -164,7 +166,7 @@ class TableLanes {
   template <class M>
   OnPavement load_on_pavement(M& wanted, const V& penetration) const {
     const V ratio = penetration * per_pavement_scale_, steps = (ratio - ratio_low_) * per_ratio_;
-    wanted = wanted & (steps >= 0.0) & (steps <= ratios_);
+    wanted = wanted & (steps >= 0.0) & (steps <= last_ratio_);
     const V s = select(wanted, steps, V(0.0)), down = floor(s), last = ratios_ - 1.0;
     const V first = select(down < last, down, last), t = s - first, q = 1.0 - t;
     const V value[4] = {q * q * q * (1.0 / 6.0), 2.0 / 3.0 - t * t * (1.0 - 0.5 * t),
@@ -204,7 +206,7 @@ class TableLanes {
     at.u_steps = (at.u - depth_low_) * per_depth_;
     at.r_steps = (at.ratio - ratio_low_) * per_ratio_;
     at.inside = (at.v_steps >= 0.0) & (at.u_steps >= 0.0) & (at.r_steps >= 0.0) & (at.v_steps <= speeds_) &
-                (at.u_steps <= depths_) & (at.r_steps <= ratios_);
+                (at.u_steps <= depths_) & (at.r_steps <= last_ratio_);
     return at;
   }
   V scale_slope(const V& depth) const {
@@ -363,7 +365,7 @@ class TableLanes {
   V no_depth_ = -1.0, level_depth_ = -1.0, level_stride_ = 0.0;
   std::size_t by_speed_[W] = {}, by_depth_[W] = {};
   V speed_low_ = 0.0, depth_low_ = 0.0, ratio_low_ = 0.0, per_speed_ = 1.0, per_depth_ = 1.0, per_ratio_ = 1.0;
-  V speeds_ = 1.0, depths_ = 1.0, ratios_ = 1.0, stride_i_ = 0.0, stride_j_ = 0.0;
+  V speeds_ = 1.0, depths_ = 1.0, ratios_ = 1.0, last_ratio_ = 1.0, stride_i_ = 0.0, stride_j_ = 0.0;
   V compaction_ = 0.0, deflection_ = 1.0, diameter_ = 1.0, rounding_ = 0.0, per_pavement_scale_ = 1.0;
 };
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "apc/base/file.h"
 #include "apc/base/progress.h"
@@ -18,6 +19,7 @@
 #include "apc/report/page.h"
 #include "apc/report/result_json.h"
 #include "apc/report/sha256.h"
+#include "apc/simulation/sensitivity.h"
 
 namespace apc::cli {
 namespace {
@@ -27,7 +29,9 @@ namespace fs = std::filesystem;
 /// The command's options as typed; empty = not given.
 struct Words {
   Choice choice;
-  std::string speed, mass, cg, braking, braking_in_bed, thrust, headwind, sinking, method = "reference", rtol;
+  std::string speed, mass, cg, pitch_inertia, braking, braking_in_bed, thrust, headwind, sinking;
+  std::string brake_mode = "friction", wheel_spin = "inertial", rut_bearing, rut_rolling;
+  std::string method = "reference", rtol, sensitivities;
   fs::path out, effects;
 };
 
@@ -39,10 +43,48 @@ double dimensionless(const std::string& option, const std::string& text, double 
 
 double read_speed(const std::string& text) {
   const double speed = option_quantity("--speed", text, dimension::speed);
-  require(speed > 0, "--speed: \"", text, "\" is not above zero. Write the speed at the bed's edge, such as \"70 kt\"");
+  require(speed > simulation::creep_speed, "--speed: \"", text, "\" is not above zero (at ", simulation::creep_speed,
+          " m/s an aircraft counts as at rest). Write the speed at the bed's edge, such as \"70 kt\"");
   require(speed <= 200 * units::kt, "--speed: \"", text,
           "\" is beyond any overrun (at most 200 kt). Arrestor beds are entered at 30 to 80 kt");
   return speed;
+}
+
+/// A force, or an engine setting by name.
+double read_thrust(const std::string& text, const aircraft::Aircraft& plane) {
+  if (text == "idle") {
+    require(plane.idle_thrust != 0.0, "--thrust: the file of the ", plane.name,
+            " gives no idle_thrust. Add it there, with its source, or write a force");
+    return plane.idle_thrust;
+  }
+  require(text != "reverse-idle",
+          "--thrust: \"reverse-idle\" has no sourced value: no open document gives the share of the "
+          "idle thrust that the reversers turn. Write the net force, reverse negative, such as \"-4 kN\"");
+  const double thrust = option_quantity("--thrust", text, dimension::force);
+  require(std::abs(thrust) <= plane.mass * units::g0, "--thrust: \"", text, "\" is more than the weight of a ",
+          plane.name);
+  return thrust;
+}
+
+/// Position of `text` among `names`.
+std::size_t choice(const std::string& option, const std::string& text, const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), text);
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : " or ") + name;
+  require(found != names.end(), option, ": \"", text, "\" is none. Write ", list);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+void read_wheels(const Words& words, simulation::Overrun& overrun) {
+  using simulation::BrakeMode, simulation::WheelSpin;
+  overrun.brake_mode =
+      choice("--brake-mode", words.brake_mode, {"friction", "torque"}) == 0 ? BrakeMode::friction : BrakeMode::torque;
+  overrun.wheel_spin =
+      choice("--wheel-spin", words.wheel_spin, {"inertial", "free"}) == 0 ? WheelSpin::inertial : WheelSpin::free;
+  if (!words.rut_bearing.empty())
+    overrun.rut_following.bearing_gain = dimensionless("--rut-bearing-gain", words.rut_bearing, 1.0, 10.0);
+  if (!words.rut_rolling.empty())
+    overrun.rut_following.rolling_resistance = dimensionless("--rut-rolling-resistance", words.rut_rolling, 0.0, 0.5);
 }
 
 simulation::Overrun read_overrun(const Words& words, const aircraft::Aircraft& plane) {
@@ -65,11 +107,14 @@ simulation::Overrun read_overrun(const Words& words, const aircraft::Aircraft& p
   if (!words.braking_in_bed.empty())
     overrun.braking_in_bed = dimensionless("--braking-in-bed", words.braking_in_bed, 0.0, 1.0);
   if (!words.sinking.empty()) overrun.sinking.vertical = dimensionless("--sinking", words.sinking, 0.0, 3.0);
-  if (!words.thrust.empty()) {
-    overrun.thrust = option_quantity("--thrust", words.thrust, dimension::force);
-    require(std::abs(overrun.thrust) <= plane.mass * units::g0, "--thrust: \"", words.thrust,
-            "\" is more than the weight of a ", plane.name);
+  if (!words.thrust.empty()) overrun.thrust = read_thrust(words.thrust, plane);
+  if (!words.pitch_inertia.empty()) {
+    overrun.pitch_inertia = option_quantity("--pitch-inertia", words.pitch_inertia, dimension::inertia);
+    require(overrun.pitch_inertia >= 0.2 * plane.pitch_inertia && overrun.pitch_inertia <= 5.0 * plane.pitch_inertia,
+            "--pitch-inertia: \"", words.pitch_inertia, "\" is no pitch inertia of a ", plane.name, " (its file says ",
+            plane.pitch_inertia, " kg m^2; a fifth to five times that is taken)");
   }
+  read_wheels(words, overrun);
   if (!words.headwind.empty()) {
     overrun.headwind = option_quantity("--headwind", words.headwind, dimension::speed);
     require(std::abs(overrun.headwind) <= 120 * units::kt, "--headwind: \"", words.headwind,
@@ -83,8 +128,25 @@ simulation::Options read_options(const Words& words) {
   require(words.method == "reference" || words.method == "fast", "--method: \"", words.method,
           "\" is no method. Write reference or fast");
   if (words.method == "fast") options.method = simulation::Method::fast;
-  if (!words.rtol.empty()) options.rtol = dimensionless("--rtol", words.rtol, 1e-12, 1e-2);
+  if (!words.rtol.empty()) options.rtol = dimensionless("--rtol", words.rtol, 1e-12, simulation::loosest_rtol);
   return options;
+}
+
+/// "entry_speed, mass" or "all"; empty: none.
+std::vector<simulation::ScalarParameter> read_sensitivities(const std::string& text) {
+  const auto known = simulation::parameters::all();
+  if (text.empty()) return {};
+  if (text == "all") return known;
+  std::vector<std::string> names;
+  for (const auto& each : known) names.push_back(each.name);
+  std::vector<simulation::ScalarParameter> wanted;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    word.erase(0, word.find_first_not_of(' '));
+    word.erase(word.find_last_not_of(' ') + 1);
+    wanted.push_back(known[choice("--sensitivities", word, names)]);
+  }
+  return wanted;
 }
 
 /// "out/B737-800_demo_70kt": names with nothing in them that a file system minds.
@@ -100,6 +162,7 @@ fs::path default_folder(const Words& words, double speed) {
 void simulate_overrun(const Words& words, Settings& settings) {
   read_speed(words.speed);  // the cheapest mistakes are told before any file is read
   const auto options = read_options(words);
+  const auto wanted = read_sensitivities(words.sensitivities);
   auto inputs = read_inputs(words.choice);
   auto overrun = read_overrun(words, inputs.model.aircraft);
   if (!words.effects.empty()) {
@@ -112,8 +175,11 @@ void simulate_overrun(const Words& words, Settings& settings) {
     inputs.files.push_back({"model", words.effects.string(), report::sha256(read_text(words.effects)), "learned"});
   }
   Progress progress("overrun of the " + inputs.model.aircraft.name);
-  report::OverrunRecord record{std::move(inputs.model), overrun, options, {}, {}};
+  report::OverrunRecord record{std::move(inputs.model), overrun, options, {}, {}, {}};
   record.result = simulation::simulate(record.model, overrun, options);
+  for (const auto& parameter : wanted)
+    record.sensitivities.push_back(
+        {simulation::sensitivity(record.model, overrun, parameter, options), parameter.unit});
   record.manifest = {std::string("apc ") + APC_VERSION, settings.command_line, utc_now(), std::move(inputs.files)};
 
   // Everything is made before anything is written; each file then appears whole or not at all.
@@ -159,7 +225,27 @@ void add_simulate(CLI::App& program, Settings& settings) {
       ->type_name("NUMBER");
   command->add_option("--braking-in-bed", words->braking_in_bed, "the same inside the bed (default: as before it)")
       ->type_name("NUMBER");
-  command->add_option("--thrust", words->thrust, "net thrust, forward positive (default \"0 kN\")")->type_name("FORCE");
+  command->add_option("--brake-mode", words->brake_mode, "friction: on the vertical load; torque: by the wheel's slip")
+      ->type_name("friction|torque");
+  command->add_option("--wheel-spin", words->wheel_spin, "inertial: the tread spins the wheels up and down; free")
+      ->type_name("inertial|free");
+  command
+      ->add_option("--thrust", words->thrust,
+                   "net thrust, forward positive (default \"0 kN\"), or idle: the aircraft file's")
+      ->type_name("FORCE|idle");
+  command->add_option("--pitch-inertia", words->pitch_inertia, "instead of the aircraft file's")->type_name("INERTIA");
+  command
+      ->add_option("--rut-bearing-gain", words->rut_bearing,
+                   "yield load on a rut's floor over virgin ground's (default 2, estimated)")
+      ->type_name("NUMBER");
+  command
+      ->add_option("--rut-rolling-resistance", words->rut_rolling,
+                   "drag / vertical on a rut's floor (default 0.02, estimated)")
+      ->type_name("NUMBER");
+  command
+      ->add_option("--sensitivities", words->sensitivities,
+                   "derivatives of stop, exit speed and peaks by these inputs, or all of them")
+      ->type_name("LIST|all");
   command->add_option("--headwind", words->headwind, "along the runway (default \"0 kt\")")->type_name("SPEED");
   command
       ->add_option("--sinking", words->sinking,

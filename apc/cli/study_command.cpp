@@ -143,10 +143,29 @@ study::Envelope envelope_of(const simulation::Model& model, const study::Axes& a
   return study::envelope(input, solve, store, options);
 }
 
+/// The files hold what was solved; that some was not must not pass for done.
+void report_failures(const report::StudyRecord& record) {
+  constexpr std::size_t named = 5;
+  std::size_t failed = 0;
+  std::string which;
+  for (const auto& each : record.results) {
+    if (each.failure.empty() || ++failed > named) continue;
+    const auto& model = record.models[each.input.model];
+    const auto& run = each.input.overrun;
+    which += fmt::format("\n  {} in {}, {:.4g} kt, {:.0f} kg, braking {:.3g}, strength {:.3g}: {}", model.aircraft.name,
+                         model.bed.name, run.entry_speed / units::kt, run.mass, run.braking,
+                         run.alterations.bed_strength, each.failure);
+  }
+  if (failed == 0) return;
+  if (failed > named) which += fmt::format("\n  and {} more (outcome gave_up in study.csv)", failed - named);
+  throw SolveError(concat("the solver gave up in ", failed, " of ", record.results.size(), " cases:", which));
+}
+
 void run_study(const Words& words, Settings& settings) {
   const auto axes = read_axes(words);
   const double rtol = option_quantity("--rtol", words.rtol, dimension::none);
-  require(rtol >= 1e-12 && rtol <= 1e-2, "--rtol: ", words.rtol, " is outside 1e-12 to 1e-2");
+  require(rtol >= 1e-12 && rtol <= simulation::loosest_rtol, "--rtol: ", words.rtol, " is outside 1e-12 to ",
+          simulation::loosest_rtol);
   auto loaded = load(words);
   const auto folder = words.out.empty() ? fs::path("out") / "study" : words.out;
   const auto id = identity(loaded, words);
@@ -198,9 +217,11 @@ void run_study(const Words& words, Settings& settings) {
   write_text(folder / "study.json", json);
   write_text(folder / "study.html", page);
   if (!settings.json.empty()) write_text(settings.json, json);
-  if (settings.quiet) return;
-  std::fputs(report::study_brief(record, settings.units).c_str(), stdout);
-  std::printf("  page      %s\n  also      study.json, study.csv beside it\n", (folder / "study.html").c_str());
+  if (!settings.quiet) {
+    std::fputs(report::study_brief(record, settings.units).c_str(), stdout);
+    std::printf("  page      %s\n  also      study.json, study.csv beside it\n", (folder / "study.html").c_str());
+  }
+  report_failures(record);
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ py::dict simulate(const std::string& aircraft, const py::object& bed, const py::
   auto inputs = read(aircraft, bed, loads, tires);
   simulation::Overrun run;
   run.entry_speed = quantity(speed, dimension::speed, "speed");
-  require(run.entry_speed > 0 && run.entry_speed <= 103, "speed: ", run.entry_speed, " m/s is outside 0 to 103 m/s");
+  require(run.entry_speed > simulation::creep_speed && run.entry_speed <= 103, "speed: ", run.entry_speed,
+          " m/s is outside ", simulation::creep_speed, " (where an aircraft counts as at rest) to 103 m/s");
   const auto& plane = inputs.model.aircraft;
   run.mass = quantity(mass, dimension::mass, "mass", 0.0);
   require(run.mass == 0 || (run.mass >= 0.4 * plane.mass && run.mass <= 1.6 * plane.mass), "mass: ", run.mass,
@@ -51,7 +52,8 @@ py::dict simulate(const std::string& aircraft, const py::object& bed, const py::
   require(bed_depth >= 0.2 && bed_depth <= 3, "bed_depth: ", bed_depth, " is outside 0.2 to 3 (× the bed's)");
   run.alterations.bed_strength = bed_strength, run.bed_depth = bed_depth;
   require(method == "reference" || method == "fast", "method: \"", method, "\" is no method: reference or fast");
-  require(rtol >= 1e-12 && rtol <= 1e-2, "rtol: ", rtol, " is outside 1e-12 to 1e-2");
+  require(rtol >= 1e-12 && rtol <= simulation::loosest_rtol, "rtol: ", rtol, " is outside 1e-12 to ",
+          simulation::loosest_rtol);
   const simulation::Options options{method == "fast" ? simulation::Method::fast : simulation::Method::reference, rtol,
                                     sampling, 120.0};
   return result_dict(call([&] { return simulation::simulate(inputs.model, run, options); }));
@@ -62,6 +64,7 @@ py::dict simulate(const std::string& aircraft, const py::object& bed, const py::
 py::dict result_dict(const simulation::Result& result) {
   py::dict out;
   out["outcome"] = simulation::text(result.outcome), out["message"] = result.message;
+  out["if_gear_had_held"] = result.gear_failed();
   out["entry_speed"] = result.entry_speed, out["stop_distance"] = number(result.stop_distance);
   out["runway_distance"] = number(result.runway_distance), out["exit_speed"] = result.exit_speed;
   out["peak_deceleration"] = result.peak_deceleration, out["mean_deceleration"] = result.mean_deceleration;
@@ -73,6 +76,9 @@ py::dict result_dict(const simulation::Result& result) {
     each["drag_limit"] = gear.drag_limit, each["drag_ultimate"] = gear.drag_ultimate;
     each["vertical_limit"] = gear.vertical_limit, each["drag_margin"] = gear.drag_margin;
     each["vertical_margin"] = gear.vertical_margin, each["peak_stroke"] = gear.peak_stroke;
+    each["failed_by"] = gear.failed_by, each["failed_at"] = number(gear.failed_at);
+    each["airborne_time"] = gear.airborne, each["lifted_at"] = number(gear.lifted_at);
+    each["peak_tire_load"] = gear.peak_tire_load, each["tire_bottomed"] = gear.tire_bottomed;
     each["peak_rut"] = gear.peak_rut, each["peak_penetration"] = gear.peak_penetration;
     gears[py::str(gear.name)] = each;
   }
@@ -94,8 +100,9 @@ void bind_simulate(py::module_& module) {
       py::arg("thrust") = none, py::arg("headwind") = none, py::arg("bed_strength") = 1.0, py::arg("bed_depth") = 1.0,
       py::arg("method") = "reference", py::arg("rtol") = 1e-6, py::arg("sampling") = 0.005, py::arg("loads") = none,
       py::arg("tires") = none,
-      R"(One overrun, as a dict in SI: outcome, stop_distance (m, nose wheel from the bed's leading edge; NaN when it
-left the bed), exit_speed, peak_deceleration, gears[NAME] (peak loads in N per strut, limits, margins), energy (J by
+      R"(One overrun, as a dict in SI: outcome ("stopped", "left_bed", "gear_limit", "pitched_over"), if_gear_had_held
+(True: a gear failed, distances hold only if it had not), stop_distance (m, nose wheel from the bed's leading edge; NaN
+when it left the bed or pitched over), exit_speed, peak_deceleration, gears[NAME] (peak loads in N per strut, limits, margins), energy (J by
 sink), and history: time, distance, speed, … of shape (samples,), history["gears"][NAME] with drag and vertical in N
 per gear group. `sampling` s between samples; 0 = no history.
 

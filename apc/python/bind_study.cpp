@@ -95,7 +95,7 @@ void bind_study(py::module_& module) {
       py::arg("braking") = 0.0, py::arg("strengths") = 1.0, py::arg("store") = none, py::arg("rtol") = 1e-6,
       py::arg("threads") = 0u, py::arg("loads") = none, py::arg("tires") = none,
       R"(Every combination of the lists, each a full overrun by the fast method, on all cores. A dict of arrays of shape
-(cases,), speeds running fastest: aircraft, bed, outcome ("stopped", "left_bed", "gear_limit", "gave_up"), speed,
+(cases,), speeds running fastest: aircraft, bed, outcome ("stopped", "left_bed", "gear_limit", "pitched_over", "gave_up"), speed,
 mass, braking, strength, stop_distance (m; NaN when it left the bed), exit_speed, peak_deceleration, worst_margin
 (limit/peak − 1, the smallest of all gears; NaN without a known limit).
 

@@ -219,7 +219,7 @@ std::string bed_section(const OverrunRecord& record) {
 }
 
 std::string wheels_at_rest(const OverrunRecord& record) {
-  if (record.result.outcome == simulation::Outcome::left_bed) return "";
+  if (!std::isfinite(record.result.stop_distance)) return "";
   constexpr double view = 440;
   const auto& bed = record.model.bed;
   std::string out;

@@ -15,15 +15,19 @@ using simulation::GearSummary;
 void add_outcome(std::string& out, const OverrunRecord& record, UnitSystem units) {
   const auto& result = record.result;
   for (const auto& addition : additions(record)) out += "  with           " + addition + "\n";
-  if (result.outcome == simulation::Outcome::gear_limit) out += "  " + result.message + "\n";
+  using simulation::Outcome;
+  const char* held = result.gear_failed() ? " (if the gear had held)" : "";
+  if (result.outcome == Outcome::gear_limit || result.outcome == Outcome::pitched_over)
+    out += "  " + result.message + "\n";
   if (std::isfinite(result.stop_distance))
-    out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry\n",
+    out += fmt::format("  stop           {} into the bed, {} from the pavement end, {} after entry{}\n",
                        shown(result.stop_distance, measure::distance, units),
                        shown(result.runway_distance, measure::distance, units),
-                       shown(result.stop_time, measure::time, units));
+                       shown(result.stop_time, measure::time, units), held);
   else
-    out += fmt::format("  left the bed   at {}, {} after entry\n", shown(result.exit_speed, measure::speed, units),
-                       shown(result.stop_time, measure::time, units));
+    out += fmt::format(
+        "  {}   at {}, {} after entry{}\n", result.outcome == Outcome::pitched_over ? "pitched over" : "left the bed",
+        shown(result.exit_speed, measure::speed, units), shown(result.stop_time, measure::time, units), held);
   out += fmt::format("  deceleration   peak {}, largest 0.1 s mean {}, mean {}\n",
                      shown(result.peak_deceleration, measure::acceleration, units),
                      shown(result.peak_deceleration_100ms, measure::acceleration, units),
@@ -73,6 +77,25 @@ void add_energy(std::string& out, const OverrunRecord& record, UnitSystem units)
                        percent(entry > 0 ? value / entry : 0.0, 2));
   if (const auto residual = record.result.energy.find("residual"); residual != record.result.energy.end())
     out += fmt::format("    {:<24}{:>20.1e}\n", "residual, relative", residual->second);
+}
+
+/// In SI whatever the report's units: derivatives are compared with the result file's numbers.
+void add_sensitivities(std::string& out, const OverrunRecord& record) {
+  if (record.sensitivities.empty()) return;
+  out += fmt::format("\n  {:<30}{:>18}{:>18}{:>18}", "derivative by one unit of", "stop m", "exit speed m/s",
+                     "peak decel. m/s^2");
+  for (const auto& gear : record.sensitivities.front().by.gears)
+    out += fmt::format("{:>16}{:>16}", gear.name + " drag N", "vertical N");
+  out += "\n";
+  const auto value = [](double x) { return std::isfinite(x) ? fmt::format("{:.5g}", x) : std::string("-"); };
+  for (const auto& [by, unit] : record.sensitivities) {
+    const auto name = by.parameter + (unit == "1" ? "" : ", " + unit);
+    out += fmt::format("  {:<30}{:>18}{:>18}{:>18}", name, value(by.stop_distance), value(by.exit_speed),
+                       value(by.peak_deceleration));
+    for (const auto& gear : by.gears)
+      out += fmt::format("{:>16}{:>16}", value(gear.peak_drag), value(gear.peak_vertical));
+    out += "\n";
+  }
 }
 
 }  // namespace
@@ -137,6 +160,7 @@ std::string coverage_text(const simulation::CoverageSummary& coverage) {
     if (share > 0) text += fmt::format("; {} {}", what, percent(share, 1));
   };
   add(coverage.speed_below, "speed below the range");
+  add(coverage.speed_above, "speed above it");
   add(coverage.depth_outside, "bed depth outside");
   add(coverage.penetration_outside, "penetration outside");
   return text;
@@ -159,6 +183,7 @@ std::string brief(const OverrunRecord& record, UnitSystem units) {
   add_outcome(out, record, units);
   add_gears(out, record, units);
   add_energy(out, record, units);
+  add_sensitivities(out, record);
   out += "\n";
   for (const auto& coverage : result.coverage)
     out += fmt::format("  load table     {:<6}{}: {}\n", coverage.gear, coverage.tire, coverage_text(coverage));

@@ -100,12 +100,12 @@ std::vector<std::size_t> shown_rows(const History& history) {
 std::string page(const OverrunRecord& record) {
   const auto& result = record.result;
   std::string out = page_head(record.model.aircraft.name + " in " + record.model.bed.name);
-  out += fmt::format("<header><h1>{}, {} at the bed's edge</h1><p class=\"sub\">{} · {}</p>\n",
-                     escaped(record.model.aircraft.name), both(result.entry_speed, measure::speed),
-                     escaped(record.model.bed.name),
-                     result.outcome == simulation::Outcome::gear_limit
-                         ? escaped(result.message)
-                         : both(result.mass, measure::mass) + " of " + escaped(record.model.aircraft.name));
+  out += fmt::format(
+      "<header><h1>{}, {} at the bed's edge</h1><p class=\"sub\">{} · {}</p>\n", escaped(record.model.aircraft.name),
+      both(result.entry_speed, measure::speed), escaped(record.model.bed.name),
+      result.outcome == simulation::Outcome::gear_limit || result.outcome == simulation::Outcome::pitched_over
+          ? escaped(result.message)
+          : both(result.mass, measure::mass) + " of " + escaped(record.model.aircraft.name));
   out += switches_bar() + headline_cards(record);
   for (const auto& addition : additions(record)) out += "<p class=\"warning\">with " + escaped(addition) + "</p>\n";
   for (const auto& warning : result.warnings) out += "<p class=\"warning\">" + escaped(warning) + "</p>\n";

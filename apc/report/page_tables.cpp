@@ -29,13 +29,16 @@ std::string headline_cards(const OverrunRecord& record) {
   if (result.outcome == Outcome::stopped)
     out +=
         card("good", "Outcome", "Stopped", fmt::format("after {} in the bed", both(result.stop_time, measure::time)));
+  else if (result.outcome == Outcome::pitched_over)
+    out += card("bad", "Outcome", "Pitched over", "at " + both(result.exit_speed, measure::speed));
   else if (result.outcome == Outcome::left_bed)
     out += card("bad", "Outcome", "Left the bed", "still at " + both(result.exit_speed, measure::speed));
   else
     out += card("bad", "Outcome", "Gear limit", "a gear passed its ultimate load");
   const auto& bed = record.model.bed;
   if (std::isfinite(result.stop_distance))
-    out += card("", "Stop distance", both(result.stop_distance, measure::distance),
+    out += card("", result.gear_failed() ? "Stop distance, if the gear had held" : "Stop distance",
+                both(result.stop_distance, measure::distance),
                 "of " + both(bed.length(), measure::distance) + " of bed; " +
                     both(result.runway_distance, measure::distance) + " from the pavement end");
   else
@@ -94,12 +97,26 @@ std::string gear_table(const OverrunRecord& record) {
   part("Vertical load");
   add("peak", [](const GearSummary& g) { return both(g.peak_vertical, measure::force); });
   add("at distance", [](const GearSummary& g) { return both(g.peak_vertical_distance, measure::distance); });
+  add("ultimate", [&](const GearSummary& g) { return limit(g.vertical_ultimate); });
   add("static, at rest", [](const GearSummary& g) { return both(g.static_vertical, measure::force); });
   add("limit", [&](const GearSummary& g) { return limit(g.vertical_limit); });
   add(
       "margin to the limit", [&](const GearSummary& g) { return margin(g.vertical_margin, g.vertical_limit); },
       [](const GearSummary& g) { return g.vertical_limit > 0 ? g.vertical_margin : 1.0; });
   add("rule", [&](const GearSummary& g) { return rule(g.vertical_rule); });
+  part("Failure and lift-off");
+  add("failed by", [](const GearSummary& g) {
+    return g.failed_by.empty()
+               ? std::string("held")
+               : (g.failed_by == "drag" ? "drag, " : "vertical load, ") + both(g.failed_at, measure::distance);
+  });
+  add("off the ground", [](const GearSummary& g) {
+    return g.airborne > 0 ? both(g.airborne, measure::time) + " from " + both(g.lifted_at, measure::distance)
+                          : std::string("never");
+  });
+  add("largest tire load", [](const GearSummary& g) {
+    return both(g.peak_tire_load, measure::force) + (g.tire_bottomed ? " (bottomed)" : "");
+  });
   part("Strut and rut");
   add("peak stroke",
       [](const GearSummary& g) { return both(g.peak_stroke, measure::depth) + (g.bottomed ? " (bottomed)" : ""); });
@@ -134,14 +151,14 @@ std::string coverage_table(const OverrunRecord& record) {
   std::string out =
       "<div class=\"wide\"><table><thead><tr><th>gear</th><th>tire</th><th class=\"n\">inside the table</th><th "
       "class=\"n\">"
-      "too slow</th><th class=\"n\">bed depth outside</th><th class=\"n\">penetration "
+      "too slow</th><th class=\"n\">too fast</th><th class=\"n\">bed depth outside</th><th class=\"n\">penetration "
       "outside</th></tr></thead><tbody>\n";
   for (const auto& each : record.result.coverage)
     out += fmt::format(
         "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
-        "<td class=\"n\">{}</td></tr>\n",
+        "<td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
         escaped(each.gear), escaped(each.tire), percent(each.inside, 1), percent(each.speed_below, 1),
-        percent(each.depth_outside, 1), percent(each.penetration_outside, 1));
+        percent(each.speed_above, 1), percent(each.depth_outside, 1), percent(each.penetration_outside, 1));
   out +=
       "</tbody></table></div>\n<div class=\"wide\"><table><thead><tr><th>table</th><th>material</th><th "
       "class=\"n\">runs</th>"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apc/simulation/simulate.h"
+#include "apc/simulation/sensitivity.h"
 
 namespace apc::report {
 
@@ -25,12 +25,19 @@ struct Manifest {
   std::vector<InputFile> files;
 };
 
+/// Derivatives of the run's results by one of its inputs, asked for beside the run.
+struct Derivatives {
+  simulation::Sensitivity by;
+  std::string unit;  ///< of the input
+};
+
 struct OverrunRecord {
   simulation::Model model;
   simulation::Overrun overrun;
   simulation::Options options;
   simulation::Result result;
   Manifest manifest;
+  std::vector<Derivatives> sensitivities{};
 };
 
 /// The limit that comes nearest to being reached: the smallest margin over all gears and kinds of load.

@@ -28,11 +28,21 @@ Value gear_json(const simulation::GearSummary& gear) {
   limit("drag_limit", gear.drag_limit, "drag_margin", gear.drag_margin);
   limit("drag_ultimate", gear.drag_ultimate, "ultimate_margin", gear.ultimate_margin);
   limit("vertical_limit", gear.vertical_limit, "vertical_margin", gear.vertical_margin);
+  out["vertical_ultimate"] = gear.vertical_ultimate > 0 ? number_or_null(gear.vertical_ultimate) : Value(nullptr);
   out["drag_rule"] = gear.drag_rule;
   out["vertical_rule"] = gear.vertical_rule;
   out["peak_stroke"] = number_or_null(gear.peak_stroke);
   out["stroke"] = number_or_null(gear.stroke);
   out["bottomed"] = gear.bottomed;
+  out["failed_by"] = gear.failed_by.empty() ? Value(nullptr) : Value(gear.failed_by);
+  out["failed_at"] = number_or_null(gear.failed_at);
+  out["failed_time"] = number_or_null(gear.failed_time);
+  out["airborne_time"] = number_or_null(gear.airborne);
+  out["lifted_at"] = number_or_null(gear.lifted_at);
+  out["tire"] = gear.tire;
+  out["peak_tire_load"] = number_or_null(gear.peak_tire_load);
+  out["tire_bottoming_load"] = number_or_null(gear.tire_bottoming_load);
+  out["tire_bottomed"] = gear.tire_bottomed;
   out["peak_rut"] = number_or_null(gear.peak_rut);
   out["peak_penetration"] = number_or_null(gear.peak_penetration);
   out["static_vertical"] = number_or_null(gear.static_vertical);
@@ -48,10 +58,18 @@ Value inputs_json(const OverrunRecord& record) {
   out["entry_speed"] = overrun.entry_speed;
   out["mass"] = record.result.mass;
   out["cg_behind_nose_gear"] = record.result.cg_behind_nose_gear;
+  out["pitch_inertia"] = overrun.pitch_inertia > 0.0
+                             ? overrun.pitch_inertia
+                             : record.model.aircraft.pitch_inertia * record.result.mass / record.model.aircraft.mass;
   out["braking"] = overrun.braking;
   out["braking_in_bed"] = overrun.braking_in_bed < 0 ? overrun.braking : overrun.braking_in_bed;
   out["thrust"] = overrun.thrust;
   out["headwind"] = overrun.headwind;
+  out["brake_mode"] = overrun.brake_mode == simulation::BrakeMode::friction ? "friction" : "torque";
+  out["wheel_spin"] = overrun.wheel_spin == simulation::WheelSpin::inertial ? "inertial" : "free";
+  out["rut_bearing_gain"] = overrun.rut_following.bearing_gain;
+  out["rut_rolling_resistance"] = overrun.rut_following.rolling_resistance;
+  out["bed_depth"] = overrun.bed_depth;
   out["sinking"] = overrun.sinking.vertical;
   if (!overrun.alterations.effects.empty()) {
     out["effects"] = Value::array();
@@ -69,6 +87,23 @@ Value inputs_json(const OverrunRecord& record) {
   return out;
 }
 
+/// d(result)/d(parameter), SI per unit of the parameter.
+Value sensitivities_json(const OverrunRecord& record) {
+  Value out = Value::object();
+  for (const auto& [of, unit] : record.sensitivities) {
+    auto& one = out[of.parameter];
+    one["unit"] = unit;
+    one["stop_distance"] = number_or_null(of.stop_distance);
+    one["exit_speed"] = number_or_null(of.exit_speed);
+    one["peak_deceleration"] = number_or_null(of.peak_deceleration);
+    for (const auto& gear : of.gears) {
+      one["gears"][gear.name]["peak_drag"] = number_or_null(gear.peak_drag);
+      one["gears"][gear.name]["peak_vertical"] = number_or_null(gear.peak_vertical);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string result_json(const OverrunRecord& record) {
@@ -80,6 +115,7 @@ std::string result_json(const OverrunRecord& record) {
   out["warnings"] = result.warnings;
   out["inputs"] = inputs_json(record);
   out["entry_speed"] = number_or_null(result.entry_speed);
+  out["if_gear_had_held"] = result.gear_failed();
   out["stop_distance"] = number_or_null(result.stop_distance);
   out["runway_distance"] = number_or_null(result.runway_distance);
   out["exit_speed"] = number_or_null(result.exit_speed);
@@ -89,6 +125,8 @@ std::string result_json(const OverrunRecord& record) {
   out["mean_deceleration"] = number_or_null(result.mean_deceleration);
   out["peak_pitch"] = number_or_null(result.peak_pitch);
   out["lowest_pitch"] = number_or_null(result.lowest_pitch);
+  out["airborne_time"] = number_or_null(result.airborne);
+  out["lifted_at"] = number_or_null(result.lifted_at);
   out["gears"] = Value::object();
   for (const auto& gear : result.gears) out["gears"][gear.name] = gear_json(gear);
   out["energy"] = Value::object();
@@ -102,9 +140,11 @@ std::string result_json(const OverrunRecord& record) {
     out["table_coverage_by_gear"][coverage.gear] = {{"tire", coverage.tire},
                                                     {"inside", coverage.inside},
                                                     {"speed_below", coverage.speed_below},
+                                                    {"speed_above", coverage.speed_above},
                                                     {"depth_outside", coverage.depth_outside},
                                                     {"penetration_outside", coverage.penetration_outside}};
   }
+  if (!record.sensitivities.empty()) out["sensitivities"] = sensitivities_json(record);
   out["solver"] = {{"method", result.solver.method},
                    {"rtol", result.solver.rtol},
                    {"steps", result.solver.steps},

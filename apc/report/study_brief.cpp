@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "apc/report/study_record.h"
@@ -25,11 +26,31 @@ void add_case(std::string& out, const study::CaseResult& each, UnitSystem units)
   const auto& result = each.result;
   const bool stopped = std::isfinite(result.stop_distance);
   out += fmt::format(" {:>12} {:>12} {:>10} {:>10} {:>10}\n",
-                     stopped ? shown(result.stop_distance, measure::distance, units) : "left at",
+                     stopped ? shown(result.stop_distance, measure::distance, units)
+                     : result.outcome == simulation::Outcome::pitched_over ? "fell over at"
+                                                                           : "left at",
                      stopped ? "" : shown(result.exit_speed, measure::speed, units),
                      shown(result.peak_deceleration, measure::acceleration, units),
                      margin_text(study::worst_margin(result, Criterion::limit)),
                      margin_text(study::worst_margin(result, Criterion::ultimate)));
+}
+
+/// The gear that failed first, by what; and of all gears the worst share of time in the bed: inside, outside by cause.
+std::string failure_and_coverage(const simulation::Result& result) {
+  const simulation::GearSummary* first = nullptr;
+  for (const auto& gear : result.gears)
+    if (!gear.failed_by.empty() && (!first || gear.failed_time < first->failed_time)) first = &gear;
+  simulation::CoverageSummary worst;
+  for (const auto& each : result.coverage) {
+    worst.inside = std::min(worst.inside, each.inside);
+    worst.speed_below = std::max(worst.speed_below, each.speed_below);
+    worst.speed_above = std::max(worst.speed_above, each.speed_above);
+    worst.depth_outside = std::max(worst.depth_outside, each.depth_outside);
+    worst.penetration_outside = std::max(worst.penetration_outside, each.penetration_outside);
+  }
+  return fmt::format("{},{},{:.4g},{:.4g},{:.4g},{:.4g},{:.4g}", first ? first->name : "",
+                     first ? first->failed_by : "", worst.inside, worst.speed_below, worst.speed_above,
+                     worst.depth_outside, worst.penetration_outside);
 }
 
 }  // namespace
@@ -67,7 +88,8 @@ std::string study_csv(const StudyRecord& record) {
   std::string out =
       "# schema: apc-study/1\naircraft,bed,entry_speed [m/s],mass [kg],braking,strength,outcome,stop_distance [m],"
       "runway_distance [m],exit_speed [m/s],peak_deceleration [m/s^2],mean_deceleration [m/s^2],worst_margin,"
-      "worst_ultimate_margin\n";
+      "worst_ultimate_margin,failed_gear,failed_by,inside_tables,speed_below,speed_above,depth_outside,"
+      "penetration_outside\n";
   const auto plain = [](std::string text) {
     for (char& letter : text)
       if (letter == ',' || letter == '"') letter = ' ';
@@ -85,12 +107,13 @@ std::string study_csv(const StudyRecord& record) {
                        value(run.entry_speed), value(run.mass), value(run.braking), value(run.alterations.bed_strength),
                        good ? simulation::text(result.outcome) : "gave_up");
     if (good)
-      out += fmt::format("{},{},{},{},{},{},{}\n", value(result.stop_distance), value(result.runway_distance),
+      out += fmt::format("{},{},{},{},{},{},{},", value(result.stop_distance), value(result.runway_distance),
                          value(result.exit_speed), value(result.peak_deceleration), value(result.mean_deceleration),
                          value(study::worst_margin(result, Criterion::limit)),
-                         value(study::worst_margin(result, Criterion::ultimate)));
+                         value(study::worst_margin(result, Criterion::ultimate))) +
+             failure_and_coverage(result) + "\n";
     else
-      out += ",,,,,,\n";
+      out += ",,,,,,,,,,,,,\n";
   }
   return out;
 }

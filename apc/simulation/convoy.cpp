@@ -70,7 +70,7 @@ class LaneSolver {
   }
   bool judge(double h, double size) {
     statistics_.rhs_calls += 5;
-    if (!control_.accepts(size, time_, y_.data(), plant_.degrees())) {
+    if (!control_.accepts(size, time_, y_.data(), plant_)) {
       ++statistics_.error_test_failures;
       return false;
     }

@@ -24,7 +24,7 @@ double crossing(const Solver& solver, double t0, double t1, double* y, const Cro
   return t1;
 }
 
-enum class Event { none, row, stop, far_end };
+enum class Event { none, row, stop, far_end, pitched_over };
 
 /// From the end of the last stretch to the end of a step, or to an event within it; observed at the ends of
 /// 2 × `pairs` parts.
@@ -110,7 +110,7 @@ class Course {
   bool close(const Stretch& passed) {
     if (!has_quadratures || any_follower_) see(passed, 2 * passed.pairs, passed.until);
     if constexpr (has_quadratures) solver_.integrals(passed.until, dissipated_.data());
-    if (passed.event == Event::stop || passed.event == Event::far_end) return true;
+    if (passed.event != Event::none && passed.event != Event::row) return true;
     if (passed.event == Event::none && slow_) {
       solver_.state(passed.until, y_.data());
       look(passed.until);
@@ -138,7 +138,9 @@ class Course {
     solver_.state(passed.until, y_.data());
     look(passed.until);
     Ending end;
-    end.left_bed = passed.event == Event::far_end;
+    end.end = passed.event == Event::far_end        ? End::far_end
+              : passed.event == Event::pitched_over ? End::pitched_over
+                                                    : End::rest;
     end.time = passed.until;
     end.state = y_;
     end.acceleration = moment_.cg_acceleration.x;
@@ -163,6 +165,7 @@ class Course {
     };
     look_for(Event::far_end, [&](const double* y) { return nose_distance(plant_, y) - plant_.profile.length(); });
     look_for(Event::stop, [&](const double* y) { return creep_speed - cg_speed(plant_, y); });
+    look_for(Event::pitched_over, [](const double* y) { return std::abs(y[2]) - overturning_pitch; });
     for (const int row : waiting_)
       if (look_for(Event::row, [&](const double* y) { return row_motion(plant_, row, y)[0]; })) entering_ = row;
     return event;

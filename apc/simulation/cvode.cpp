@@ -192,17 +192,21 @@ double Cvode::step() {
   const int status = CVode(e.memory, time_ + 1.0, e.y, &reached, CV_ONE_STEP);
   if (e.failure) std::rethrow_exception(std::exchange(e.failure, nullptr));
   if (status < 0) {
+    const double* y = N_VGetArrayPointer(e.y);
     std::string state;
-    for (int i = 0; i < e.problem.states; ++i) state += concat(i ? ", " : "", N_VGetArrayPointer(e.y)[i]);
+    if (e.problem.describe)
+      state = e.problem.describe(y);
+    else
+      for (int i = 0; i < e.problem.states; ++i) state += concat(i ? ", " : "state ", y[i]);
     throw SolveError(
-        concat("CVODES gave up at t = ", time_, " s (", CVodeGetReturnFlagName(status), "; ", e.complaint, "), state [",
-               state, "]. Try a looser tolerance, and look for damping, friction or stops out of proportion"),
+        concat("CVODES gave up at t = ", time_, " s (", CVodeGetReturnFlagName(status), "; ", e.complaint, "): ", state,
+               ". Try a looser tolerance, and look for damping, friction or stops out of proportion"),
         time_);
   }
   if (!(reached - before > 1e-15 * (1.0 + std::abs(before))))
-    throw SolveError(concat("CVODES stands still at t = ", time_,
-                            " s: its steps no longer move the time. Try a looser "
-                            "tolerance, and look for laws that end or jump there"),
+    throw SolveError(concat("CVODES stands still at t = ", time_, " s: its steps no longer move the time",
+                            e.problem.describe ? ": " + e.problem.describe(N_VGetArrayPointer(e.y)) : std::string(),
+                            ". Try a looser tolerance, and look for laws that end or jump there"),
                      time_);
   previous_ = before;
   time_ = reached;

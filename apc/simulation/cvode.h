@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "apc/simulation/result.h"
@@ -21,6 +22,7 @@ struct OdeProblem {
   std::vector<double> parameter_scales;  ///< size of each parameter: a sensitivity's error is weighed as state / scale
   /// ds/dt = J s + ∂f/∂p of one parameter.
   std::function<void(double t, const double* y, int parameter, const double* s, double* dsdt)> sensitivity;
+  std::function<std::string(const double* y)> describe;  ///< a state in words, for messages; optional
 };
 
 struct OdeTolerances {

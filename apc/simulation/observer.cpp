@@ -11,6 +11,19 @@
 
 namespace apc::simulation {
 
+namespace {
+
+constexpr double ultimate_factor = 1.5;  // 14 CFR 25.303
+
+}  // namespace
+
+/// By the trapezoid: half an interval that begins or ends in the air.
+void Observer::Airborne::see(bool now, double passed, double at) {
+  time += passed * 0.5 * ((now ? 1.0 : 0.0) + (before_ ? 1.0 : 0.0));
+  if (now && std::isnan(first_at)) first_at = at;
+  before_ = now;
+}
+
 /// A maximum between three neighbours is the vertex of the parabola through them.
 void Peak::see(double time, double sample, double at) {
   if (sample > value) value = sample, distance = at;
@@ -99,6 +112,7 @@ void Observer::see(double time, const double* y, const Surroundings& around, con
 
   const double step = instants_ == 0 ? 0.0 : nose - last_distance_;
   const double passed = instants_ == 0 ? 0.0 : time - last_time_;
+  bool none_down = true;
   for (std::size_t g = 0; g < gears_.size(); ++g) {
     auto& watch = gears_[g];
     const auto& group = plant_.groups[g];
@@ -109,34 +123,93 @@ void Observer::see(double time, const double* y, const Surroundings& around, con
     watch.stroke.see(time, moment.groups[g].stroke, nose);
     watch.drag_work += 0.5 * (drag + watch.last_drag) * step;
     watch.last_drag = drag;
-    if (watch.ultimate_at < 0.0 && limits_[g].drag_ultimate > 0.0 && drag >= limits_[g].drag_ultimate)
-      watch.ultimate_at = nose;
-    double deepest_rut = 0.0, deepest = 0.0;
+    const double vertical = load[1] * each;
+    if (!watch.failed_by) {
+      const auto& limit = limits_[g];
+      if (limit.drag_ultimate > 0.0 && drag >= limit.drag_ultimate)
+        watch.failed_by = "drag";
+      else if (limit.vertical_limit > 0.0 && vertical >= ultimate_factor * limit.vertical_limit)
+        watch.failed_by = "vertical";
+      if (watch.failed_by) watch.failed_at = nose, watch.failed_time = time;
+    }
+    double deepest_rut = 0.0, deepest = 0.0, tire = 0.0;
     for (int r = group.first_row; r < group.first_row + group.rows; ++r) {
       const auto& row = moment.rows[static_cast<std::size_t>(r)];
       if (row.penetration > 0.0) deepest_rut = std::max(deepest_rut, row.ground.load.rut_depth);
       deepest = std::max(deepest, row.penetration);
+      tire = std::max(tire, row.ground.load.vertical);
     }
     watch.rut.see(time, deepest_rut, nose);
     watch.penetration.see(time, deepest, nose);
-    const auto& lead = moment.rows[static_cast<std::size_t>(group.first_row)];
-    if (around.in_bed[static_cast<std::size_t>(group.first_row)] && lead.bed_depth > 0.0) {
-      watch.in_bed += passed;
-      const auto& table = *group.ground.table;
-      if (lead.bed_depth != watch.depth)
-        watch.depth = lead.bed_depth, watch.maximum_penetration = table.maximum_penetration(lead.bed_depth);
-      const auto inside =
-          table.coverage({std::abs(lead.speed), lead.bed_depth, lead.penetration}, watch.maximum_penetration);
-      if (!inside.speed) watch.outside_speed += passed;
-      if (!inside.bed_depth) watch.outside_depth += passed;
-      if (!inside.penetration) watch.outside_penetration += passed;
-      if (!inside.inside()) watch.outside += passed;
-    }
+    watch.tire.see(time, tire, nose);
+    watch.airborne.see(tire <= 0.0, passed, nose);
+    none_down = none_down && tire <= 0.0;
+    see_coverage(g, passed, around, moment);
   }
+  all_airborne_.see(none_down, passed, nose);
   last_distance_ = nose;
   last_time_ = time;
   if (rows_every_ > 0 && instants_ % rows_every_ == 0) record(time, y, moment, dissipated);
   ++instants_;
+}
+
+/// Outside is an instant at which any row of the gear is.
+void Observer::see_coverage(std::size_t g, double passed, const Surroundings& around, const Moment& moment) {
+  auto& watch = gears_[g];
+  const auto& group = plant_.groups[g];
+  const auto& table = *group.ground.table;
+  bool in_bed = false, below = false, above = false;
+  loadtables::Coverage inside;
+  for (int r = group.first_row; r < group.first_row + group.rows; ++r) {
+    const auto& row = moment.rows[static_cast<std::size_t>(r)];
+    if (!around.in_bed[static_cast<std::size_t>(r)] || !(row.bed_depth > 0.0)) continue;
+    in_bed = true;
+    if (row.bed_depth != watch.depth)
+      watch.depth = row.bed_depth, watch.maximum_penetration = table.maximum_penetration(row.bed_depth);
+    const double speed = std::abs(row.speed);
+    const auto here = table.coverage({speed, row.bed_depth, row.penetration}, watch.maximum_penetration);
+    (speed > table.speed_range()[1] ? above : below) |= !here.speed;
+    inside.speed = inside.speed && here.speed;
+    inside.bed_depth = inside.bed_depth && here.bed_depth;
+    inside.penetration = inside.penetration && here.penetration;
+  }
+  if (!in_bed) return;
+  watch.in_bed += passed;
+  if (below) watch.below_speed += passed;
+  if (above) watch.above_speed += passed;
+  if (!inside.bed_depth) watch.outside_depth += passed;
+  if (!inside.penetration) watch.outside_penetration += passed;
+  if (!inside.inside()) watch.outside += passed;
+}
+
+/// Earliest first: what fails later fails in a run that had already ended for the gear.
+void Observer::report_failures(Result& result) const {
+  std::vector<const GearSummary*> failed;
+  for (const auto& gear : result.gears)
+    if (!gear.failed_by.empty()) failed.push_back(&gear);
+  if (failed.empty()) return;
+  std::stable_sort(failed.begin(), failed.end(),
+                   [](const auto* a, const auto* b) { return a->failed_time < b->failed_time; });
+  std::string first;
+  for (const auto* gear : failed)
+    first +=
+        fmt::format("{} gear: {} passed its ultimate load {:.1f} m ({:.0f} ft) into the bed; ", gear->name,
+                    gear->failed_by == "drag" ? "drag" : "vertical load", gear->failed_at, gear->failed_at / units::ft);
+  result.message = first + result.message + (failed.size() > 1 ? ", if the gears had held" : ", if the gear had held");
+  if (result.outcome != Outcome::pitched_over) result.outcome = Outcome::gear_limit;
+}
+
+void Observer::report_lift_off(Result& result) const {
+  constexpr double noticeable = 0.02;  // s
+  const auto lifted = [](const std::string& what, double time, double at) {
+    return fmt::format("{} off the ground for {:.2f} s in all, first {:.1f} m ({:.0f} ft) into the bed", what, time, at,
+                       at / units::ft);
+  };
+  for (const auto& gear : result.gears)
+    if (gear.airborne > noticeable)
+      result.warnings.push_back(lifted("the " + gear.name + " wheels were", gear.airborne, gear.lifted_at));
+  if (result.airborne > noticeable)
+    result.warnings.push_back(lifted("all wheels were", result.airborne, result.lifted_at));
 }
 
 void Observer::finish(Result& result) const {
@@ -165,6 +238,7 @@ void Observer::finish(Result& result) const {
     summary.drag_limit = limit.drag_limit;
     summary.drag_ultimate = limit.drag_ultimate;
     summary.vertical_limit = limit.vertical_limit;
+    summary.vertical_ultimate = ultimate_factor * limit.vertical_limit;
     summary.drag_rule = limit.drag_rule;
     summary.vertical_rule = limit.vertical_rule;
     const auto margin = [](double allowed, double peak) {
@@ -179,33 +253,44 @@ void Observer::finish(Result& result) const {
     summary.peak_rut = std::max(0.0, watch.rut.value);
     summary.peak_penetration = std::max(0.0, watch.penetration.value);
     summary.static_vertical = stand.gears[g].vertical;
+    if (watch.failed_by)
+      summary.failed_by = watch.failed_by, summary.failed_at = watch.failed_at, summary.failed_time = watch.failed_time;
+    summary.airborne = watch.airborne.time;
+    summary.lifted_at = watch.airborne.first_at;
+    summary.tire = gear.tire;
+    summary.peak_tire_load = std::max(0.0, watch.tire.value);
+    summary.tire_bottoming_load = model_.aircraft.tires.at(gear.tire).bottoming_load;
+    summary.tire_bottomed = summary.peak_tire_load > summary.tire_bottoming_load;
     result.gears.push_back(summary);
     const double time = std::max(watch.in_bed, 1e-12);
-    CoverageSummary coverage{gear.name, gear.tire, 1.0, 0.0, 0.0, 0.0};
+    CoverageSummary coverage{gear.name, gear.tire, 1.0, 0.0, 0.0, 0.0, 0.0};
     if (watch.in_bed > 0.0)
       coverage = {gear.name,
                   gear.tire,
                   1.0 - watch.outside / time,
-                  watch.outside_speed / time,
+                  watch.below_speed / time,
+                  watch.above_speed / time,
                   watch.outside_depth / time,
                   watch.outside_penetration / time};
     result.coverage.push_back(coverage);
-    if (watch.ultimate_at >= 0.0) {
-      if (result.outcome != Outcome::gear_limit)
-        result.message = fmt::format("{} gear: drag passed its ultimate load {:.1f} m ({:.0f} ft) into the bed; {}",
-                                     gear.name, watch.ultimate_at, watch.ultimate_at / units::ft, result.message);
-      result.outcome = Outcome::gear_limit;
-    }
     if (summary.bottomed) result.warnings.push_back(concat("the ", gear.name, " strut reached its stop"));
-    // Every stop passes through the speeds below the table's range; depth and penetration are what deserves a word.
+    if (summary.tire_bottomed)
+      result.warnings.push_back(fmt::format("a {} tire ({}) carried {:.2f} times its bottoming load", gear.name,
+                                            gear.tire, summary.peak_tire_load / summary.tire_bottoming_load));
+    // Every stop passes through the speeds below the table's range; all else deserves a word.
     const auto warn = [&](double share, const char* what) {
       if (share > 0.001)
-        result.warnings.push_back(concat("the ", gear.name, " tire's ", what, " lay outside its load table for ",
+        result.warnings.push_back(concat("the ", gear.name, " tire's ", what, " its load table for ",
                                          std::lround(1000.0 * share) / 10.0, " % of its time in the bed"));
     };
-    warn(coverage.depth_outside, "bed depth");
-    warn(coverage.penetration_outside, "penetration");
+    warn(coverage.speed_above, "speed lay above");
+    warn(coverage.depth_outside, "bed depth lay outside");
+    warn(coverage.penetration_outside, "penetration lay outside");
   }
+  result.airborne = all_airborne_.time;
+  result.lifted_at = all_airborne_.first_at;
+  report_lift_off(result);
+  report_failures(result);
   result.history = history_;
 }
 

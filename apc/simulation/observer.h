@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "aircraft/limits.h"
@@ -37,12 +38,24 @@ class Observer {
   void finish(Result&) const;
 
  private:
+  /// Time off the ground, and where it began.
+  struct Airborne {
+    double time = 0.0, first_at = std::numeric_limits<double>::quiet_NaN();
+    void see(bool now, double passed, double at);
+
+   private:
+    bool before_ = false;
+  };
   struct GearWatch {
     Peak drag, vertical, stroke, rut, penetration;
     double drag_work = 0.0, last_drag = 0.0;
-    double ultimate_at = -1.0;  ///< bed distance of the nose where the drag first passed its ultimate load
-    double depth = -1.0, maximum_penetration = 0.0;  ///< of the table at the depth seen last
-    double in_bed = 0.0, outside_speed = 0.0, outside_depth = 0.0, outside_penetration = 0.0, outside = 0.0;  ///< s
+    Peak tire;                        ///< load of one tire
+    const char* failed_by = nullptr;  ///< the load that first passed its ultimate, and the nose wheel's place and the
+    double failed_at = 0.0, failed_time = 0.0;  ///< time then
+    Airborne airborne;
+    double depth = -1.0, maximum_penetration = 0.0;                        ///< of the table at the depth seen last
+    double in_bed = 0.0, below_speed = 0.0, above_speed = 0.0;             ///< s
+    double outside_depth = 0.0, outside_penetration = 0.0, outside = 0.0;  ///< s
   };
   const Model& model_;
   const Plant& plant_;
@@ -51,6 +64,11 @@ class Observer {
   long instants_ = 0;
   std::vector<aircraft::LoadLimits> limits_;
   std::vector<GearWatch> gears_;
+  void see_coverage(std::size_t group, double passed, const Surroundings&, const Moment&);
+  void report_failures(Result&) const;
+  void report_lift_off(Result&) const;
+
+  Airborne all_airborne_;
   Peak deceleration_, mean_100ms_, pitch_up_, pitch_down_;
   std::vector<std::array<double, 2>> speeds_;  ///< {time, speed}, all instants
   std::size_t window_ = 0;                     ///< the last of them at least 0.1 s ago

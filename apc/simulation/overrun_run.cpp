@@ -1,5 +1,7 @@
 #include "apc/simulation/overrun_run.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -93,6 +95,15 @@ std::vector<double> absolute_tolerances(const Plant& plant, double rtol) {
   return absolute;
 }
 
+std::string in_words(const Plant& plant, const double* y) {
+  auto words = fmt::format("speed {:.2f} m/s, nose wheel {:.2f} m into the bed, pitch {:.2f} deg, strokes",
+                           cg_speed(plant, y), nose_distance(plant, y), y[2] / units::deg);
+  for (std::size_t g = 0; g < plant.groups.size(); ++g)
+    words += fmt::format("{} {} {:.3f} m of {:.3f}", g == 0 ? "" : ",", plant.groups[g].name, y[3 + g],
+                         plant.groups[g].strut.stroke);
+  return words;
+}
+
 double cg_speed(const Plant& plant, const double* y) {
   const double* rate = y + plant.degrees();
   const auto turn = elementary::sine_cosine(y[2]);
@@ -131,6 +142,7 @@ Ending run_reference(const Plant& plant, const std::vector<double>& state, doubl
     const auto now = powers(plant, around, y, moment);
     std::copy(now.begin(), now.end(), power);
   };
+  problem.describe = [&](const double* y) { return in_words(plant, y); };
   OdeTolerances tolerances{rtol, absolute_tolerances(plant, rtol), longest_way(plant) / plant.entry_speed};
   Cvode solver(std::move(problem), std::move(tolerances));
   return Course<Cvode>(plant, around, solver, observer, time_limit).run(state);

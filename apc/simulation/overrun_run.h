@@ -1,14 +1,22 @@
 /// The course of one run, whatever the solver: steps, events at jumps, ruts, observation, energy.
 #pragma once
 
+#include "apc/base/units.h"
 #include "apc/simulation/energy.h"
 #include "apc/simulation/observer.h"
 
 namespace apc::simulation {
 
+enum class End { rest, far_end, pitched_over };
+
+/// The pitch, up or down from the static one, at which a run ends. Turned by 20° about the main wheels the nose of the
+/// smallest shipped aircraft (wheelbase 11.4 m) is 3.9 m lower, in the ground: fuselage and foam, which have no law
+/// here, met before. What comes so far is falling over, whatever the exact angle.
+inline constexpr double overturning_pitch = 20.0 * units::deg;
+
 /// Where and how the motion ended.
 struct Ending {
-  bool left_bed = false;
+  End end = End::rest;
   double time = 0.0;  ///< s after entry, of the last computed state
   std::vector<double> state;
   double acceleration = 0.0;  ///< m/s² of the cg there
@@ -40,6 +48,8 @@ std::vector<double> absolute_tolerances(const Plant&, double rtol);
 /// Thrust against a drag that fades below a few `creep_speed` would roll on for ever where the unfaded drag is larger:
 /// the deceleration (> 0, m/s²) with which it really comes to rest. 0 while the speed still falls, or would not.
 double held_up_by_fading(const Plant&, const Surroundings&, double time, const double* y, const Moment&);
+/// A state in words, for messages: speed, place, pitch, strokes.
+std::string in_words(const Plant&, const double* y);
 /// The cg's ground speed at a state.
 double cg_speed(const Plant&, const double* y);
 

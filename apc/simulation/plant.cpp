@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "aircraft/sprung_body.h"
 #include "aircraft/static_stand.h"
 #include "apc/base/require.h"
 #include "apc/base/units.h"
@@ -73,7 +74,8 @@ void set_ground(const Model& model, const Overrun& overrun, Plant& plant) {
 
 Plant make_plant(const Model& model, const Overrun& overrun) {
   const auto& aircraft = model.aircraft;
-  require(overrun.entry_speed > 0.0, "the entry speed must be positive, not ", overrun.entry_speed, " m/s");
+  require(overrun.entry_speed > creep_speed, "the entry speed must be above ", creep_speed,
+          " m/s, at which an aircraft counts as at rest, not ", overrun.entry_speed, " m/s");
   expect(model.tables.size() == aircraft.gears.size(), "one table per gear group");
   const auto stand = static_stand(aircraft);
 
@@ -87,31 +89,14 @@ Plant make_plant(const Model& model, const Overrun& overrun) {
           " m behind the nose gear lies behind the main gear (", stand.main_centroid,
           " m): the aircraft would sit on its tail. Move it forward");
 
-  // The sprung body is what is left of mass, first and second moment when the unsprung masses are taken away.
-  const Vector cg{-cg_behind, aircraft.cg_height};
-  double unsprung = 0.0;
-  Vector sprung{plant.mass * cg.x, plant.mass * cg.z};
-  for (std::size_t i = 0; i < aircraft.gears.size(); ++i) {
-    const double mass = aircraft.gears[i].struts * aircraft.gears[i].unsprung_mass;
-    const auto axle = static_axle(aircraft.gears[i], stand.gears[i]);
-    unsprung += mass;
-    sprung.x -= mass * axle.x;
-    sprung.z -= mass * axle.z;
-  }
-  plant.sprung_mass = plant.mass - unsprung;
-  require(plant.sprung_mass > 0.0, "a mass of ", plant.mass, " kg is less than the gears alone weigh (", unsprung,
-          " kg)");
-  sprung.x /= plant.sprung_mass;
-  sprung.z /= plant.sprung_mass;
-  plant.sprung_inertia = inertia - plant.sprung_mass * (squared(sprung.x - cg.x) + squared(sprung.z - cg.z));
-  for (std::size_t i = 0; i < aircraft.gears.size(); ++i) {
-    const auto axle = static_axle(aircraft.gears[i], stand.gears[i]);
-    plant.sprung_inertia -=
-        aircraft.gears[i].struts * aircraft.gears[i].unsprung_mass * (squared(axle.x - cg.x) + squared(axle.z - cg.z));
-  }
-  require(plant.sprung_inertia > 0.0, "a pitch inertia of ", inertia,
+  const auto body = aircraft::sprung_body(aircraft, plant.mass, inertia, cg_behind);
+  require(body.mass > 0.0, "a mass of ", plant.mass, " kg is less than the gears alone weigh (", body.unsprung, " kg)");
+  require(body.inertia > 0.0, "a pitch inertia of ", inertia,
           " kg m^2 is less than the unsprung masses alone contribute. Raise it");
-  plant.cg = {cg.x - sprung.x, cg.z - sprung.z};
+  plant.sprung_mass = body.mass;
+  plant.sprung_inertia = body.inertia;
+  const Vector sprung{body.x, body.z};
+  plant.cg = {-cg_behind - sprung.x, aircraft.cg_height - sprung.z};
 
   const double beta = std::atan(model.bed.grade);
   plant.gravity = {-units::g0 * std::sin(beta), -units::g0 * std::cos(beta)};

@@ -20,7 +20,6 @@
 namespace apc::simulation {
 
 inline constexpr double air_density = 1.225;   ///< kg/m³, ISA sea level
-inline constexpr double creep_speed = 0.05;    ///< m/s: drag fades with tanh(u / creep_speed); a stop is called here
 inline constexpr double slip_floor = 1.0;      ///< m/s: slip = (ω_n − ω) R / √(u² + floor²)
 inline constexpr double slip_stiffness = 8.0;  ///< d μ / d slip at zero slip
 inline constexpr double slip_friction = 0.8;   ///< largest μ a slipping tire can carry

@@ -49,7 +49,7 @@ double StepControl::step(double speed, double at_most) {
   return h_ = std::min(h_, at_most);
 }
 
-bool StepControl::accepts(double size, double time, const double* y, int degrees) {
+bool StepControl::accepts(double size, double time, const double* y, const Plant& plant) {
   const double h = h_, error = size / tolerance_;
   const bool finite = std::isfinite(error);
   if (finite && error <= 1.0 && planned_ > 0.0) {  // a step cut short says little about the next one
@@ -73,10 +73,9 @@ bool StepControl::accepts(double size, double time, const double* y, int degrees
   rejected_ = true;
   h_ = finite ? h / std::clamp(fourth_root(error) / 0.9, 1.2, 5.0) : 0.2 * h;
   if (h_ < 1e-9)
-    throw SolveError(
-        concat("RODAS4 gave up at t = ", time, " s (step size below 1e-9 s), speed ", y[degrees], " m/s, pitch ", y[2],
-               " rad, nose stroke ", y[3], " m. Try the reference method, or a looser tolerance"),
-        time);
+    throw SolveError(concat("RODAS4 gave up at t = ", time, " s (step size below 1e-9 s): ", in_words(plant, y),
+                            ". Try the reference method, or a looser tolerance"),
+                     time);
   return false;
 }
 
@@ -139,7 +138,7 @@ double Rosenbrock::step() {
   }
   for (;;) {
     const double h = control_.step(work_.y[static_cast<std::size_t>(work_.degrees)], time_to_corner(plant_, moment_));
-    if (control_.accepts(attempt(h), time_, work_.y.data(), work_.degrees)) {
+    if (control_.accepts(attempt(h), time_, work_.y.data(), plant_)) {
       dense_[0] = work_.y;
       dense_[1] = work_.y = work_.next;
       step_kernel(work_).dense(work_, dense_[2].data(), dense_[3].data());

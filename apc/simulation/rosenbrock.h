@@ -31,7 +31,7 @@ class StepControl {
   double step(double speed, double at_most);
   /// Judges an attempt by its error in units of the weights (anything but a number: nothing came out of it). False:
   /// refused, step() is smaller. SolveError when it collapses.
-  bool accepts(double size, double time, const double* y, int degrees);
+  bool accepts(double size, double time, const double* y, const Plant&);
 
  private:
   double rtol_, tolerance_, longest_way_, h_ = 1e-3, last_h_ = 0.0, last_error_ = 1.0;

@@ -106,6 +106,7 @@ class Carried {
                                                                           double* m) mutable {
       jacobian(base_.plant, base_.around, t, y, unused.data(), m);
     };
+    p.describe = [this](const double* y) { return in_words(base_.plant, y); };
     p.parameters = 1;
     p.parameter_scales = {scale_};
     p.sensitivity = [this, up = std::vector<double>(base_.start.size()),
@@ -158,6 +159,10 @@ class Carried {
   /// derivative there between its neighbours (it changes fast where the parameter moves the peak in time).
   void see(double t) {
     load(t);
+    if (std::abs(y_[2]) > overturning_pitch)
+      throw SolveError(concat("the aircraft pitches over at t = ", t, " s (", in_words(base_.plant, y_.data()),
+                              "): there is no stop to derive. Lower speed or depth"),
+                       t);
     const auto now = channels(base_, t, y_.data());
     const auto up = channels(up_, t, above_.data()), down = channels(down_, t, below_.data());
     std::vector<std::array<double, 2>> latest(now.size());

@@ -52,6 +52,8 @@ struct Sinking {
   bool counts() const { return vertical != 0.0 || drag != 0.0; }
 };
 
+inline constexpr double creep_speed = 0.05;  ///< m/s: drag fades with tanh(u / creep_speed); a stop is called here
+
 /// What happens. Defaults are ACRP Report 29's assumptions except braking, which is off unless asked for.
 struct Overrun {
   double entry_speed = 0.0;          ///< m/s, when the nose wheel crosses the bed's leading edge
@@ -74,6 +76,9 @@ enum class Method {
   reference,  ///< CVODE BDF, dense Newton
   fast,       ///< fixed-size Rosenbrock; same results within 1 mm
 };
+
+/// Looser, stops are off by centimetres and more.
+inline constexpr double loosest_rtol = 1e-4;
 
 struct Options {
   Method method = Method::reference;

@@ -1,11 +1,15 @@
 #include "apc/simulation/trim.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "aircraft/strut.h"
 #include "apc/base/require.h"
+#include "apc/base/units.h"
+#include "apc/simulation/overrun_run.h"
 
 namespace apc::simulation {
 namespace {
@@ -75,6 +79,31 @@ void set_spins(const Plant& plant, const Surroundings& around, std::vector<doubl
   }
 }
 
+/// Why an aircraft will not stand, and what to do; as far as it can be told from outside.
+std::string cause(const Plant& plant, double speed, const std::vector<double>& y) {
+  const double air = speed + plant.headwind, weight = -plant.mass * plant.gravity.z;
+  const double lift = plant.lift_area * air * std::abs(air);
+  if (lift > 0.9 * weight)
+    return fmt::format(
+        "the lift of {:.0f} kN at an airspeed of {:.1f} m/s leaves too little of the weight of {:.0f} kN "
+        "on the wheels: it would fly. Lower the speed or the headwind, or raise the mass",
+        lift / units::kN, air, weight / units::kN);
+  for (std::size_t g = 0; g < plant.groups.size(); ++g) {
+    const auto& strut = plant.groups[g].strut;
+    if (y[3 + g] > strut.stroke)
+      return fmt::format(
+          "the {} strut is driven {:.3f} m into its stop. Look at mass, centre of gravity and its "
+          "pressure and volume",
+          plant.groups[g].name, y[3 + g] - strut.stroke);
+    if (y[3 + g] < 0.0)
+      return fmt::format(
+          "nothing rests on the {} strut, which is extended by {:.3f} m beyond its stop. Move the centre "
+          "of gravity, or lower braking, thrust or headwind",
+          plant.groups[g].name, -y[3 + g]);
+  }
+  return "Check mass, centre of gravity, strut and tire data";
+}
+
 }  // namespace
 
 Trim trim(const Plant& plant, double speed) {
@@ -112,10 +141,9 @@ Trim trim(const Plant& plant, double speed) {
     if (step.lpNorm<Eigen::Infinity>() < 1e-14) break;
   }
   if (!(residual < 1e-6))
-    throw SolveError(concat("the aircraft cannot be trimmed at ", speed, " m/s: accelerations of ", residual,
-                            " m/s^2 remain after ", result.iterations, " Newton steps (height ", y[1], " m, pitch ",
-                            y[2], " rad, nose stroke ", y[3],
-                            " m). Check mass, centre of gravity, strut and tire data"));
+    throw SolveError(concat("the aircraft cannot be trimmed at t = 0 s, before the run: accelerations of ", residual,
+                            " m/s^2 remain after ", result.iterations, " Newton steps (", in_words(plant, y.data()),
+                            "): ", cause(plant, speed, y)));
   set_spins(plant, around, y);
   Moment moment;
   derivatives(plant, around, 0.0, y.data(), rate.data(), &moment);

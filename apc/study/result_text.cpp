@@ -59,6 +59,9 @@ void gear_fields(Way& way, Gear& gear) {
   way.field(gear.peak_drag), way.field(gear.peak_drag_distance);
   way.field(gear.peak_vertical), way.field(gear.peak_vertical_distance), way.field(gear.mean_drag);
   way.field(gear.drag_limit), way.field(gear.drag_ultimate), way.field(gear.vertical_limit);
+  way.field(gear.vertical_ultimate), way.field(gear.failed_by), way.field(gear.failed_at), way.field(gear.failed_time);
+  way.field(gear.airborne), way.field(gear.lifted_at), way.field(gear.tire), way.field(gear.peak_tire_load);
+  way.field(gear.tire_bottoming_load), way.field(gear.tire_bottomed);
   way.field(gear.drag_rule), way.field(gear.vertical_rule);
   way.field(gear.drag_margin), way.field(gear.ultimate_margin), way.field(gear.vertical_margin);
   way.field(gear.peak_stroke), way.field(gear.stroke), way.field(gear.bottomed);
@@ -73,12 +76,13 @@ void scalar_fields(Way& way, Result& r) {
   way.field(r.cg_behind_nose_gear), way.field(r.solver.method), way.field(r.solver.steps),
       way.field(r.solver.rhs_calls);
   way.field(r.solver.jacobians), way.field(r.solver.error_test_failures), way.field(r.solver.newton_failures);
-  way.field(r.solver.wall_s), way.field(r.solver.rtol);
+  way.field(r.solver.wall_s), way.field(r.solver.rtol), way.field(r.airborne), way.field(r.lifted_at);
 }
 
 template <class Way, class Coverage>
 void coverage_fields(Way& way, Coverage& c) {
-  way.field(c.gear), way.field(c.tire), way.field(c.inside), way.field(c.speed_below), way.field(c.depth_outside);
+  way.field(c.gear), way.field(c.tire), way.field(c.inside), way.field(c.speed_below), way.field(c.speed_above);
+  way.field(c.depth_outside);
   way.field(c.penetration_outside);
 }
 

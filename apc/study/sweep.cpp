@@ -40,8 +40,9 @@ namespace {
 
 /// Everything that decides a case's result, apart from the model, which the store's identity covers.
 std::string key_of(const Case& each, const simulation::Options& options) {
+  constexpr double form = 2.0;  // of the stored results; cases of another form are run again
   const auto& run = each.overrun;
-  return to_text({static_cast<double>(each.model), run.entry_speed, run.mass, run.cg_behind_nose_gear,
+  return to_text({form, static_cast<double>(each.model), run.entry_speed, run.mass, run.cg_behind_nose_gear,
                   run.pitch_inertia, run.braking, run.braking_in_bed, run.thrust, run.headwind, run.bed_depth,
                   run.alterations.bed_strength, run.alterations.conditions.years,
                   run.alterations.conditions.temperature, options.method == simulation::Method::fast ? 1.0 : 0.0,

@@ -72,5 +72,28 @@ TEST(Resume, AStoreOfOtherWorkIsRefusedAndLeftAlone) {
   EXPECT_EQ(text_of(folder.path() / "s/cases.store"), before);
 }
 
+TEST(Study, SaysWhichCasesTheSolverGaveUpInAndEndsWithThree) {
+  const Folder folder;
+  auto plane = text_of(PROJECT_DIR "/aircraft/data/B737-800.json");
+  auto kite = with(plane, "\"CL\": 0.25", "\"CL\": 2.5");  // flies at 110 kt, rolls at 40
+  ASSERT_NE(kite, plane);
+  folder.write("kite.json", kite);
+  const std::vector<std::string> words{"study", "--aircraft", "kite.json", "--bed", "emas_18in_50psi", "--speeds"};
+  const auto study = [&](const char* speeds) {
+    auto all = words;
+    all.insert(all.end(), {speeds, "-o", "s"});
+    return run(folder, all);
+  };
+  EXPECT_EQ(study("40").exit_code, 0);
+  const auto said = study("40, 110");
+  EXPECT_EQ(said.exit_code, 3) << said.err;
+  EXPECT_NE(said.err.find("gave up in 1 of 2 cases"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("110 kt"), std::string::npos) << said.err;
+  EXPECT_NE(said.err.find("it would fly"), std::string::npos) << said.err;
+  const auto table = text_of(folder.path() / "s/study.csv");
+  EXPECT_NE(table.find("gave_up"), std::string::npos);
+  EXPECT_NE(table.find("speed_above"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace apc::scenarios

@@ -95,9 +95,55 @@ TEST(Simulate, SpeedOutsideTheTablesIsAWarningNotAnError) {
   folder.write("bed.json", with(good_bed(), "[0, 50, 500]", "[0, 50, 900]"));
   auto words = a_stop();
   words.back() = "100 kt";
-  const auto said = run(folder, words);
+  const auto said = run(folder, and_also(words, {"-o", "here"}));
   EXPECT_EQ(said.exit_code, 0) << said.err;
-  EXPECT_TRUE(said.out.starts_with("warning:")) << said.out.substr(0, 200);
+  EXPECT_NE(said.out.find("warning: the nose tire's speed lay above its load table for "), std::string::npos)
+      << said.out.substr(0, 400);
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "here/result.json"));
+  for (const auto* gear : {"nose", "main"}) {
+    const auto& coverage = json.at("table_coverage_by_gear").at(gear);
+    EXPECT_GT(coverage.at("speed_above").get<double>(), 0.05);  // from 100 kt down to the tables' 70
+    EXPECT_LT(coverage.at("speed_below").get<double>(), 0.5);   // below 10 kt
+    EXPECT_GT(coverage.at("speed_below").get<double>(), 0.0);
+  }
+  const auto page = text_of(folder.path() / "here/report.html");
+  EXPECT_NE(page.find("too fast"), std::string::npos);
+}
+
+TEST(Simulate, EveryChosenInputStandsInItsRecord) {
+  const Folder folder;
+  folder.write("bed.json", good_bed());
+  const auto said =
+      run(folder, and_also(a_stop(), {"--thrust", "idle", "--brake-mode", "torque", "--wheel-spin", "free", "--braking",
+                                      "0.2", "--rut-bearing-gain", "1.5", "--rut-rolling-resistance", "0.05",
+                                      "--pitch-inertia", "2.5e6 kg m^2", "-o", "here"}));
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  const auto inputs = nlohmann::json::parse(text_of(folder.path() / "here/result.json")).at("inputs");
+  EXPECT_NEAR(inputs.at("thrust").get<double>(), 2 * 0.0488 * 26300 * 4.4482216, 100.0);  // the file's idle
+  EXPECT_EQ(inputs.at("brake_mode"), "torque");
+  EXPECT_EQ(inputs.at("wheel_spin"), "free");
+  EXPECT_EQ(inputs.at("rut_bearing_gain"), 1.5);
+  EXPECT_EQ(inputs.at("rut_rolling_resistance"), 0.05);
+  EXPECT_EQ(inputs.at("pitch_inertia"), 2.5e6);
+}
+
+TEST(Simulate, SensitivitiesAreTheSlopesOfRuns) {
+  const Folder folder;
+  folder.write("bed.json", good_bed());
+  const auto stop = [&](const char* thrust) {
+    EXPECT_EQ(run(folder, and_also(a_stop(), {"--thrust", thrust, "--quiet", "-o", "run"})).exit_code, 0);
+    return nlohmann::json::parse(text_of(folder.path() / "run/result.json")).at("stop_distance").get<double>();
+  };
+  const double slope = (stop("1 kN") - stop("-1 kN")) / 2000.0;
+  const auto said = run(folder, and_also(a_stop(), {"--sensitivities", "thrust, mass", "-o", "here"}));
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  const auto by = nlohmann::json::parse(text_of(folder.path() / "here/result.json")).at("sensitivities");
+  EXPECT_EQ(by.size(), 2u);
+  EXPECT_EQ(by.at("thrust").at("unit"), "N");
+  EXPECT_NEAR(by.at("thrust").at("stop_distance").get<double>(), slope, 0.01 * slope);
+  EXPECT_GT(by.at("mass").at("gears").at("nose").at("peak_vertical").get<double>(), 0.0);
+  EXPECT_NE(said.out.find("derivative by one unit of"), std::string::npos);
+  EXPECT_NE(said.out.find("mass, kg"), std::string::npos);
 }
 
 TEST(Simulate, SlowerEntryStopsShorter) {

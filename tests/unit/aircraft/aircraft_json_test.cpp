@@ -77,6 +77,24 @@ TEST(AircraftFile, RefusesANegativeInertia) {
               HasSubstr("/pitch_inertia: \"-3.0e6 kg m^2\" must be positive"));
 }
 
+TEST(AircraftFile, RefusesARampMassBelowTheMass) {
+  EXPECT_THAT(refusal("\"79243 kg\"", "\"60000 kg\""),
+              HasSubstr("/ramp_mass: \"60000 kg\" is below the mass of 66361 kg"));
+}
+
+TEST(AircraftFile, RefusesAnUltimateLoadBelowTheLimitInForceThoughARuleGivesThat) {
+  // 14 CFR 25.509 from the ramp weight: 116.6 kN.
+  const auto message = refusal("\"name\": \"nose\"", "\"name\": \"nose\", \"limits\": {\"drag_ultimate\": \"100 kN\"}");
+  EXPECT_THAT(message, HasSubstr("/limits/drag_ultimate: \"100 kN\" is below the limit load of 116.566"));
+  EXPECT_EQ(refusal("\"name\": \"nose\"", "\"name\": \"nose\", \"limits\": {\"drag_ultimate\": \"120 kN\"}"), "");
+}
+
+TEST(AircraftFile, RefusesAnInertiaBelowThatOfTheUnsprungMassesAlone) {
+  const auto message = refusal("\"3.0e6 kg m^2\"", "\"2e4 kg m^2\"");
+  EXPECT_THAT(message, HasSubstr("/pitch_inertia: \"2e4 kg m^2\""));
+  EXPECT_THAT(message, HasSubstr("is less than the unsprung masses on the axles alone contribute"));
+}
+
 TEST(AircraftFile, RefusesATireThatIsNotInTheLibrary) {
   const auto message = refusal("\"H27x7.7-15\"", "\"H27x7.7-51\"");
   EXPECT_THAT(message, HasSubstr("/gears/0/tire: \"H27x7.7-51\" is not in the tire library"));

@@ -122,13 +122,9 @@ TEST(LoadTable, IsLevelInSpeedAtRestAndSymmetric) {
   EXPECT_DOUBLE_EQ(table().load({-7.0, 0.4, 0.2}).drag, table().load({7.0, 0.4, 0.2}).drag);
 }
 
-TEST(LoadTable, ContinuesLinearlyBeyondItsSpeedsAndPenetrations) {
+TEST(LoadTable, ContinuesLinearlyBeyondItsSpeeds) {
   const auto at = [](double speed) { return table().load({speed, 0.4, 0.2}).drag; };
   EXPECT_NEAR(at(50.0) - at(45.0), at(45.0) - at(40.0), 1e-6 * at(45.0));
-  const double scale = table().maximum_penetration(0.3);
-  const auto deep = [&](double ratio) { return table().load({20.0, 0.3, ratio * scale}).vertical; };
-  EXPECT_NEAR(deep(1.5) - deep(1.4), deep(1.4) - deep(1.3), 1e-6 * deep(1.4));
-  EXPECT_GT(deep(1.5), 1.2 * deep(1.25));  // never clamped
 }
 
 TEST(LoadTable, StaysPositiveHoweverFarOutside) {

@@ -61,6 +61,7 @@ TEST(Cvode, GivesUpWithTimeStateAndAdvice) {
   problem.states = 1;
   problem.rate = [](double t, const double*, double* dydt) { dydt[0] = std::sqrt(1.0 - t); };  // nothing beyond t = 1
   problem.jacobian = [](double, const double*, double* j) { j[0] = 0.0; };
+  problem.describe = [](const double* y) { return "height " + std::to_string(y[0]) + " m"; };
   Cvode solver(problem, {1e-8, {1e-10}, 0.0});
   solver.start(0.0, {1.0});
   try {
@@ -69,6 +70,7 @@ TEST(Cvode, GivesUpWithTimeStateAndAdvice) {
   } catch (const SolveError& error) {
     EXPECT_NEAR(error.time, 1.0, 1e-3);
     EXPECT_NE(std::string(error.what()).find("at t = "), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("height 1.6"), std::string::npos) << error.what();  // 1 + 2/3
     EXPECT_NE(std::string(error.what()).find("Try a looser tolerance"), std::string::npos) << error.what();
   }
 }

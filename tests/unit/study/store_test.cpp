@@ -72,6 +72,8 @@ TEST(ResultText, BringsEveryNumberBackBitForBit) {
   result.stop_distance = 0.1 + 0.2, result.exit_speed = std::nan(""), result.message = "stopped | in\tthe bed";
   result.gears.resize(2);
   result.gears[1].name = "main", result.gears[1].peak_drag = 1.0 / 3.0, result.gears[1].bottomed = true;
+  result.gears[1].failed_by = "vertical", result.gears[1].failed_at = 1.0 / 7.0;
+  result.coverage.push_back({"main", "M44", 0.9, 0.02, 0.03, 0.04, 0.05});
   result.energy["bed"] = 1e7 / 3, result.warnings = {"left the table"};
   const auto back = result_from(to_text(result));
   EXPECT_EQ(back.stop_distance, result.stop_distance);
@@ -79,6 +81,9 @@ TEST(ResultText, BringsEveryNumberBackBitForBit) {
   EXPECT_EQ(back.gears[1].peak_drag, result.gears[1].peak_drag);
   EXPECT_TRUE(back.gears[1].bottomed);
   EXPECT_EQ(back.energy.at("bed"), result.energy.at("bed"));
+  EXPECT_EQ(back.gears[1].failed_by, "vertical");
+  EXPECT_EQ(back.coverage[0].speed_above, 0.03);
+  EXPECT_EQ(back.coverage[0].penetration_outside, 0.05);
   EXPECT_EQ(back.warnings.front(), "left the table");
   EXPECT_EQ(to_text(back), to_text(result));
   EXPECT_THROW(result_from("0x1p+0|"), InputError);
