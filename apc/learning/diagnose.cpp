@@ -17,16 +17,16 @@ constexpr double least_fall_of_a_try = 0.1;
 /// What free runs say of every explanation. Of the pairs only the leading ones are fitted.
 void add_free(FreeEvidence& free, double temper, std::vector<Explanation>& list, const Report& report) {
   constexpr std::size_t most_pairs = 8;
-  std::vector<std::pair<double, std::vector<std::string>>> pairs;
+  std::vector<std::pair<double, const Explanation*>> pairs;
   for (Explanation& x : list) {
     if (x.kind != Hypothesis::Kind::effect || x.ids.empty()) continue;
     x.free_evidence = free.of(x.ids);
-    if (x.ids.size() == 2) pairs.emplace_back(x.log_evidence / temper + x.free_evidence, x.ids);
+    if (x.ids.size() == 2 && x.fitted) pairs.emplace_back(x.log_evidence / temper + x.free_evidence, &x);
   }
   std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& c) { return a.first > c.first; });
   pairs.resize(std::min(most_pairs, pairs.size()));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    add_pair(free, pairs[i].second);
+    add_pair(free, pairs[i].second->fit.effects);
     if (report) report(static_cast<double>(i + 1) / static_cast<double>(pairs.size()), "fitting pairs to free runs");
   }
   for (Explanation& x : list)

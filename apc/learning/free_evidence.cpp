@@ -165,12 +165,21 @@ std::optional<FreeEvidence> weigh_free(const Case& data, const std::vector<Effec
   return e;
 }
 
-void add_pair(FreeEvidence& e, const std::vector<std::string>& ids) {
-  const auto a = e.sets.find({ids[0]}), c = e.sets.find({ids[1]});
-  if (a == e.sets.end() || c == e.sets.end() || e.sets.contains(ids)) return;
-  const bool first = a->second.log_evidence > c->second.log_evidence;
-  const FreeFit& better = first ? a->second.fit : c->second.fit;
-  Applied other = (first ? c : a)->second.fit.effects.front();
+void add_pair(FreeEvidence& e, const std::vector<Applied>& pair) {
+  std::vector<std::string> ids;
+  std::vector<FreeSet> single;
+  for (const Applied& a : pair) {
+    if (a.effect.fine) return;
+    ids.push_back(a.effect.id);
+    const auto own = e.sets.find({a.effect.id});
+    single.push_back(own != e.sets.end() ? own->second : FreeSet{e.none, -1e300});
+    if (own == e.sets.end()) single.back().fit.effects = {a};
+  }
+  std::sort(ids.begin(), ids.end());
+  if (e.sets.contains(ids)) return;
+  const bool first = single[0].log_evidence > single[1].log_evidence;
+  const FreeFit& better = single[first ? 0 : 1].fit;
+  Applied other = single[first ? 1 : 0].fit.effects.front();
   const effects::Parameter& p = other.effect.parameters.front();
   std::optional<FreeSet> best;
   for (const double amplitude : {other.values.front(), p.neutral + 0.3 * (p.usual - p.neutral)}) try {

@@ -31,7 +31,7 @@ struct FreeEvidence {
 std::optional<FreeEvidence> weigh_free(const Case&, const std::vector<effects::Effect>&, unsigned threads,
                                        const Report&);
 
-/// Fits two effects together, from their own fits; nothing when one of them was not fitted.
-void add_pair(FreeEvidence&, const std::vector<std::string>& ids);
+/// Fits two effects together, from their own fits where they have one. Pairs with joints are left out.
+void add_pair(FreeEvidence&, const std::vector<effects::Applied>&);
 
 }  // namespace apc::learning

@@ -83,6 +83,12 @@ TEST(FreeEvidence, ARightEffectLeadsAndWeighsNothingWhereItIsNot) {
     EXPECT_LT(without->of({law.id}), 3.0) << law.id;
   }
   EXPECT_GT(with->of({"inertial"}), 4.0);
+  auto pairs = *with;
+  const auto slope = effects::applied(effects::find_effect(effects::catalogue(), "slope"), 0.005);
+  add_pair(pairs, {slope, inertia(0.3)});
+  ASSERT_TRUE(pairs.sets.contains({"inertial", "slope"}));
+  std::printf("inertia and slope %.1f\n", pairs.of({"inertial", "slope"}));
+  EXPECT_LT(pairs.of({"inertial", "slope"}), with->of({"inertial"}) + 1.0) << "what is not there adds nothing";
   EXPECT_EQ(with->of({"inertial", "seams"}), with->of({"inertial"})) << "joints are not seen by free runs";
 }
 
