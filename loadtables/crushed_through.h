@@ -44,20 +44,32 @@ inline Sloped operator/(const Sloped& x, const Sloped& y) {
   return chain(z, 1.0 / y.value, x, -z / y.value, y);
 }
 
+inline double value_of(double x) { return x; }
+inline double value_of(const Sloped& x) { return x.value; }
+
 /// What stays the same for all contacts of a table.
 struct HardBase {
-  MonotoneCurve tire;               ///< T, N over m
-  double deflection = 0.0;          ///< δ₈₀, m
-  double rolling_resistance = 0.0;  ///< μ_r
+  HardBase() = default;
+  HardBase(const TableTire&, double deflection, double rolling_resistance);
+
+  MonotoneCurve tire;                                  ///< T, N over m
+  double deflection = 0.0, load = 0.0, stiffness = 1;  ///< δ₈₀, T(δ₈₀), k
+  double rolling_resistance = 0.0;                     ///< μ_r
 };
 
-/// The four responses at P_max, in the order of the table (drag, vertical, rut depth, slip), with their slopes by
-/// penetration.
+/// The four responses at P_max with their slopes by penetration.
+template <class T>
 struct AtEdge {
-  Sloped value[responses], slope[responses];
+  T value[responses], slope[responses];
 };
 
-/// The responses `x` ≥ 0 beyond the edge, in a bed of `depth`.
-void crushed_through(const HardBase&, const AtEdge&, const Sloped& depth, const Sloped& x, Sloped (&out)[responses]);
+/// The responses `x` ≥ 0 beyond the edge, in a bed of `depth`. T: double, or Sloped; values have the same bits.
+template <class T>
+void crushed_through(const HardBase&, const AtEdge<T>&, const T& depth, const T& x, T (&out)[responses]);
+
+extern template void crushed_through(const HardBase&, const AtEdge<double>&, const double&, const double&,
+                                     double (&)[responses]);
+extern template void crushed_through(const HardBase&, const AtEdge<Sloped>&, const Sloped&, const Sloped&,
+                                     Sloped (&)[responses]);
 
 }  // namespace apc::loadtables

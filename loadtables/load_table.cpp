@@ -13,7 +13,7 @@ struct LoadTable::Derived {
   double speeds, depths, ratios;           ///< intervals of the axes that the look-ups use
   std::size_t by_speed, by_depth;          ///< distances of neighbours among the coefficients
   const SplineKernels& kernels;
-  HardBase base;                 ///< what the tire stands on beyond P_max
+  Edge edge;                     ///< what the tire stands on beyond P_max
   double pavement_scale;         ///< P_max(0)
   std::vector<double> pavement;  ///< (ratio + 2) × responses
   std::vector<double> level;     ///< at no depth: (speed + 2) × (ratio + 2) × responses
@@ -101,15 +101,15 @@ LoadTable::LoadTable(std::shared_ptr<const Data> data) : data_(std::move(data)) 
           data_->coefficients.data() + static_cast<std::size_t>(i * data_->depth.coefficients() + u.first + j) * length;
       for (std::size_t k = 0; k < length; ++k) line[k] += u.value[j] / data_->speed.nodes * c[k];
     }
-  HardBase base{MonotoneCurve(data_->tire.curve_deflection, data_->tire.curve_load), data_->penetration.deflection,
-                0.0};
-  const auto edge = along(line.data() + 4 * weights(data_->ratio, last_ratio(data_->ratio)).first,
-                          weights(data_->ratio, last_ratio(data_->ratio)), 1.0);
-  base.rolling_resistance = edge.load.drag / edge.load.vertical;
+  const double last = last_ratio(data_->ratio);
+  const auto r = weights(data_->ratio, last);
+  const auto pavement = along(line.data() + 4 * r.first, r, 1.0).load;
+  Edge edge{EdgeSheet(*data_, last),
+            HardBase(data_->tire, data_->penetration.deflection, pavement.drag / pavement.vertical)};
   derived_ = std::make_shared<const Derived>(
       Derived{1.0 / data_->speed.step, 1.0 / data_->depth.step, 1.0 / data_->ratio.step, data_->speed.nodes - 1.0,
               data_->depth.nodes - 1.0, last_ratio_steps(data_->ratio),
-              length * static_cast<std::size_t>(data_->depth.coefficients()), length, spline_kernels(), std::move(base),
+              length * static_cast<std::size_t>(data_->depth.coefficients()), length, spline_kernels(), std::move(edge),
               data_->penetration.at(0.0), std::move(line), sum_over_depth(*data_, 0.0)});
 }
 
@@ -132,7 +132,7 @@ TireLoad LoadTable::load(const TireContact& contact) const {
         {first, derived_->by_speed, derived_->by_depth, weight, weight + 4, weight + 8, nullptr, nullptr, nullptr},
         value);
   } else {
-    return load_out_of_range(data, derived_->base, contact).load;
+    return plain_load_out_of_range(data, derived_->edge, contact);
   }
   return {value[drag], value[vertical], value[rut_depth], 1.0 - value[slip]};
 }
@@ -140,7 +140,7 @@ TireLoad LoadTable::load(const TireContact& contact) const {
 LoadWithSlopes LoadTable::load_with_slopes(const TireContact& contact) const {
   if (!(contact.penetration > 0.0)) return {};
   if (out_of_range(*data_, contact)) [[unlikely]]
-    return load_out_of_range(*data_, derived_->base, contact);
+    return load_out_of_range(*data_, derived_->edge, contact);
   const auto at = place(*data_, contact);
   SplineSums point;
   evaluate(*data_, weights(data_->speed, derived_->per_speed, at.speed),

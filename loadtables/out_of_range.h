@@ -7,12 +7,20 @@
 #pragma once
 
 #include "loadtables/crushed_through.h"
+#include "loadtables/edge_sheet.h"
 
 namespace apc::loadtables {
 
+/// What all look-ups of a table beyond its edge share.
+struct Edge {
+  EdgeSheet sheet;
+  HardBase base;
+};
+
 /// Whether a contact with penetration > 0 lies there.
 bool out_of_range(const LoadTable::Data&, const TireContact&);
-/// The load there, with derivatives.
-LoadWithSlopes load_out_of_range(const LoadTable::Data&, const HardBase&, const TireContact&);
+/// The load there, with derivatives; and without them, the same bits at less cost.
+LoadWithSlopes load_out_of_range(const LoadTable::Data&, const Edge&, const TireContact&);
+TireLoad plain_load_out_of_range(const LoadTable::Data&, const Edge&, const TireContact&);
 
 }  // namespace apc::loadtables

@@ -43,7 +43,7 @@ TEST(StepControl, ComesBackToItsPlanAfterAStepCutShort) {
   control.start();
   const double planned = control.step(20.0, INFINITY);
   EXPECT_DOUBLE_EQ(control.step(20.0, 0.01 * planned), 0.01 * planned);
-  EXPECT_TRUE(control.accepts(0.0, 0.0, nullptr, 0));
+  EXPECT_TRUE(control.accepts(0.0, 0.0, nullptr, Plant{}));
   EXPECT_NEAR(control.step(20.0, INFINITY), 0.9 * planned, 0.1 * planned);
 }
 
@@ -53,7 +53,7 @@ TEST(StepControl, AllowsLessTheFasterTheAircraftRolls) {
     StepControl control(1e-6, 1.0);
     control.start();
     control.step(speed, INFINITY);
-    return control.accepts(size, 0.0, zeros, 0);
+    return control.accepts(size, 0.0, zeros, Plant{});
   };
   EXPECT_TRUE(accepts(20.0, 0.99e-6));
   EXPECT_FALSE(accepts(20.0, 1.01e-6));
