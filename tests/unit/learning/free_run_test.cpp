@@ -79,7 +79,9 @@ TEST(FreeEvidence, ARightEffectLeadsAndWeighsNothingWhereItIsNot) {
     std::printf("%-14s %.1f where inertia is hidden, %.1f where nothing is\n", law.id.c_str(), with->of({law.id}),
                 without->of({law.id}));
   for (const auto& law : laws) {
-    if (law.id != "inertial") EXPECT_GT(with->of({"inertial"}), with->of({law.id}) + 2.0) << law.id;
+    if (law.id != "inertial") {
+      EXPECT_GT(with->of({"inertial"}), with->of({law.id}) + 2.0) << law.id;
+    }
     EXPECT_LT(without->of({law.id}), 3.0) << law.id;
   }
   EXPECT_GT(with->of({"inertial"}), 4.0);
