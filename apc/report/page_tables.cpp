@@ -151,7 +151,7 @@ std::string coverage_table(const OverrunRecord& record) {
   std::string out =
       "<div class=\"wide\"><table><thead><tr><th>gear</th><th>tire</th><th class=\"n\">inside the table</th><th "
       "class=\"n\">"
-      "too slow</th><th class=\"n\">too fast</th><th class=\"n\">bed depth outside</th><th class=\"n\">penetration "
+      "too slow</th><th class=\"n\">too fast</th><th class=\"n\">depth outside</th><th class=\"n\">sunk "
       "outside</th></tr></thead><tbody>\n";
   for (const auto& each : record.result.coverage)
     out += fmt::format(

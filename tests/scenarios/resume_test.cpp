@@ -75,7 +75,7 @@ TEST(Resume, AStoreOfOtherWorkIsRefusedAndLeftAlone) {
 TEST(Study, SaysWhichCasesTheSolverGaveUpInAndEndsWithThree) {
   const Folder folder;
   auto plane = text_of(PROJECT_DIR "/aircraft/data/B737-800.json");
-  auto kite = with(plane, "\"CL\": 0.25", "\"CL\": 2.5");  // flies at 110 kt, rolls at 40
+  auto kite = with(plane, "\"CL\": 0.25", "\"CL\": 3.5");  // flies at 110 kt, rolls at 40
   ASSERT_NE(kite, plane);
   folder.write("kite.json", kite);
   const std::vector<std::string> words{"study", "--aircraft", "kite.json", "--bed", "emas_18in_50psi", "--speeds"};

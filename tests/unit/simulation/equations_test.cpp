@@ -198,7 +198,8 @@ TEST(Trim, SaysWhatToCheckWhenThereIsNoBalance) {
     trim(plant, 30.0);
     ADD_FAILURE() << "trimmed";
   } catch (const SolveError& error) {
-    EXPECT_NE(std::string(error.what()).find("cannot be trimmed at 30 m/s"), std::string::npos) << error.what();
+    for (const char* words : {"cannot be trimmed at t = 0 s", "speed 30.00 m/s", "Look at mass"})
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
   }
 }
 

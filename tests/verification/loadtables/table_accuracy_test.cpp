@@ -92,7 +92,8 @@ TEST(TableAccuracy, IsTwiceContinuouslyDifferentiableAcrossKnots) {
   };
   double largest = 0.0;
   for (int k = 2; k < data.ratio.nodes; ++k) largest = std::max(largest, std::abs(bend(data.ratio.node(k))));
-  for (int k = 1; k < data.ratio.nodes; ++k) {
+  // At P_max, ratio 1, the tire takes over with the table's slope, but not with its bend.
+  for (int k = 1; data.ratio.node(k) < 1.0 - 1e-9; ++k) {
     const double knot = data.ratio.node(k);
     EXPECT_NEAR(bend(knot - 3.0 * step), bend(knot + 3.0 * step), 2e-3 * largest) << "knot " << k;
   }

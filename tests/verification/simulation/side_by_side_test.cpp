@@ -155,13 +155,15 @@ TEST_F(SideBySide, HasTheSameBitsForCallersWhoWaitForOneAtATime) {
 
 TEST_F(SideBySide, ARunThatFailsFailsAloneWithItsOwnWords) {
   auto hopeless = overruns_[0];
-  hopeless.thrust = 1e6;  // rolls on and on
+  hopeless.thrust = 2.5e5;  // rolls on and on, and is not turned over
+  Options hurried = options_;
+  hurried.time_limit = 20.0;
   auto untrimmed = overruns_[0];
   untrimmed.cg_behind_nose_gear = 100.0;
   auto endless = models_[0];
   endless.bed.distance.back() = 1e6;
   std::vector<Errand> errands(errands_.begin(), errands_.begin() + 6);
-  errands.insert(errands.begin() + 1, {&endless, &hopeless, &options_});
+  errands.insert(errands.begin() + 1, {&endless, &hopeless, &hurried});
   errands.insert(errands.begin() + 3, {&models_[0], &untrimmed, &options_});
   const auto words = [](const std::exception_ptr& failure) -> std::string {
     try {
