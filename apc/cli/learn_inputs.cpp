@@ -69,8 +69,8 @@ std::string verdict_text(const learning::Study& study) {
   const learning::Diagnosis& d = study.diagnosis;
   std::string out =
       "warning: experimental. Odds and tempers were chosen on measured cases with known truth, where the right effect\n"
-      "came first in about half and weak ones stayed silent (apc/doc/verification.md); on others nobody has checked.\n"
-      "Take the ranking as a hint where to look.\n" +
+      "came first in two of three and weak ones stayed silent (apc/doc/verification.md); on others nobody has\n"
+      "checked. Take the ranking as a hint where to look.\n" +
       fmt::format("VERDICT  {}", learning::text(d.verdict));
   if (!d.learned.empty()) out += ": a force that follows \"" + d.learned + "\", none of the catalogue";
   out += "\n";
