@@ -11,23 +11,12 @@
 #include "apc/base/require.h"
 #include "apc/base/units.h"
 #include "apc/effects/effect_json.h"
+#include "apc/learning/quantity_json.h"
 
 namespace apc::learning {
 namespace {
 
 using nlohmann::ordered_json;
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", value);
-  return text;
-}
-
-ordered_json quantity(double value, const std::string& unit) {
-  if (unit.empty()) return std::stod(short_number(value));
-  const Unit u = parse_unit(unit);
-  return short_number(value / u.factor) + " " + unit;
-}
 
 ordered_json claim_json(const Claim& claim) {
   ordered_json parameters, interval, work;

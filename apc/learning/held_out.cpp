@@ -22,8 +22,7 @@ HeldOut leave_one_out(const FreeRuns& f, const std::vector<effects::Applied>& ef
         eta[f.layout.bed_strength] = fit.strength;
         return compare(*f.data, f.layout, r, f.data->runs[r], eta, fit.effects);
       };
-      LeftOut one{f.data->runs[r].id, error(without), error(with), {}, 0.0};
-      for (const auto& e : with.effects) one.amplitude.push_back(e.values.front());
+      LeftOut one{f.data->runs[r].id, error(without), error(with), 0.0};
       one.gain = told_by_a_run * std::log(std::max(1e-6, one.before.total) / std::max(1e-6, one.after.total));
       result.runs.push_back(std::move(one));
     } catch (const SolveError&) {

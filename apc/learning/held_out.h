@@ -9,8 +9,7 @@ namespace apc::learning {
 
 struct LeftOut {
   std::string run;
-  RunError before, after;         ///< of the prediction, without and with effects
-  std::vector<double> amplitude;  ///< of the effects, as the other runs have it
+  RunError before, after;  ///< of the prediction, without and with effects
   /// ln of the ratio of likelihoods of the run, with over without effects, at the scale of the errors of each.
   double gain = 0.0;
 };
