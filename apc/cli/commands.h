@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "apc/base/quantity.h"
 #include "apc/report/unit_system.h"
@@ -27,6 +28,9 @@ struct Settings {
   bool quiet = false;                                    ///< --quiet: no progress, no report on stdout
   std::string command_line;                              ///< as typed, quoted for a shell; for provenance
   int exit_code = exit_code::done;                       ///< a command sets not_met when a requirement fails
+  /// Files the command is about to make. When a solver gives up, former ones of these names are removed: what stands
+  /// there after exit 3 would read like this run's result.
+  std::vector<std::filesystem::path> results;
 };
 
 /// Adds --units, --json and --quiet to a command.

@@ -113,6 +113,7 @@ void run_design(const Words& words, Settings& settings) {
     };
 
   const auto folder = words.out.empty() ? fs::path("out") / ("design_" + fleet_file.stem().string()) : words.out;
+  settings.results = {folder / "bed.json", folder / "design.json", folder / "design.html"};
   study::Store store(folder / "design.store",
                      study::fingerprint(loaded.identity + APC_VERSION + words.rtol + "windows and edges"));
   const auto start = std::chrono::steady_clock::now();
@@ -128,6 +129,8 @@ void run_design(const Words& words, Settings& settings) {
   record.design.built.bed.source = record.manifest.version + ": " + settings.command_line;
 
   const auto json = report::design_json(record), page = report::design_page(record);
+  std::error_code ignored;
+  fs::remove(folder / "bed.json", ignored);  // of a former design: this one may have none
   if (record.design.feasible) write_text(folder / "bed.json", report::bed_json(record.design.built.bed));
   write_text(folder / "design.json", json);
   write_text(folder / "design.html", page);

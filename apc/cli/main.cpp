@@ -62,6 +62,13 @@ void refuse_unknown_words(CLI::App& program, const std::vector<std::string>& wor
   }
 }
 
+/// After a run without a result there is none, not the one of a former run.
+void withdraw(const Settings& settings) {
+  std::error_code ignored;
+  for (const auto& path : settings.results) std::filesystem::remove(path, ignored);
+  if (!settings.results.empty() && !settings.json.empty()) std::filesystem::remove(settings.json, ignored);
+}
+
 int run(const std::vector<std::string>& words) {
   CLI::App program{"Arrestor Prediction Code: aircraft in crushable arrestor beds", "apc"};
   program.set_version_flag("--version", std::string("apc ") + APC_VERSION, "print the version");
@@ -101,6 +108,7 @@ int run(const std::vector<std::string>& words) {
   } catch (const InputError& error) {
     std::fprintf(stderr, "apc: %s\n", error.what());
   } catch (const SolveError& error) {
+    withdraw(settings);
     std::fprintf(stderr, "apc: %s\n", error.what());
     return exit_code::gave_up;
   } catch (const Interrupted&) {

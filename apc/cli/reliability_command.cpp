@@ -14,6 +14,7 @@ namespace {
 void run_command(ReliabilityAsk ask, Settings& settings) {
   if (ask.of.out.empty()) ask.of.out = std::filesystem::path("out") / "reliability";
   ask.command = settings.command_line;
+  settings.results = {ask.of.out / "reliability.json", ask.of.out / "reliability.html"};
   std::unique_ptr<Progress> progress;
   if (!settings.quiet)
     ask.progress = [&](double finished, double all, const std::string& name) {

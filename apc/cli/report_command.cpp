@@ -48,9 +48,10 @@ void run_command(const Words& words, Settings& settings) {
     again.of.out = ask.of.out, again.of.threads = ask.of.threads;
     ask = std::move(again);
   }
+  const auto folder = ask.of.out.empty() ? fs::path("out") / "report" : ask.of.out;
+  for (const char* name : {"report.html", "report.json", "report.pdf"}) settings.results.push_back(folder / name);
   const auto record = run_report(ask);
   const auto texts = texts_of(ask, record);
-  const auto folder = ask.of.out.empty() ? fs::path("out") / "report" : ask.of.out;
   const auto changed = words.manifest.empty() ? std::vector<std::string>() : differing(words.manifest, texts);
   for (const auto& [name, text] : texts) write_text(folder / name, text);
   if (words.pdf) print_pdf(browser, folder / "report.html", folder / "report.pdf");

@@ -174,6 +174,9 @@ void simulate_overrun(const Words& words, Settings& settings) {
                    words.speed.c_str());
     inputs.files.push_back({"model", words.effects.string(), report::sha256(read_text(words.effects)), "learned"});
   }
+  const auto folder = words.out.empty() ? default_folder(words, overrun.entry_speed) : words.out;
+  for (const char* name : {"history.csv", "history.h5", "result.json", "report.html"})
+    settings.results.push_back(folder / name);
   Progress progress("overrun of the " + inputs.model.aircraft.name);
   report::OverrunRecord record{std::move(inputs.model), overrun, options, {}, {}, {}};
   record.result = simulation::simulate(record.model, overrun, options);
@@ -183,7 +186,6 @@ void simulate_overrun(const Words& words, Settings& settings) {
   record.manifest = {std::string("apc ") + APC_VERSION, settings.command_line, utc_now(), std::move(inputs.files)};
 
   // Everything is made before anything is written; each file then appears whole or not at all.
-  const auto folder = words.out.empty() ? default_folder(words, overrun.entry_speed) : words.out;
   const auto json = report::result_json(record), csv = report::history_csv(record), page = report::page(record);
   if (stop_requested()) throw Interrupted();
   write_text(folder / "history.csv", csv);

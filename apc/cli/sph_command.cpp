@@ -82,6 +82,8 @@ void run_deck(const RunWords& words, Settings& settings) {
   options.threads = words.threads == 0 ? hardware_threads() : words.threads;
   options.stop = stop_requested;
   options.snapshots = words.snapshots;
+  const auto folder = words.out.empty() ? fs::path("out") / ("sph_" + words.deck.stem().string()) : words.out;
+  settings.results = {folder / "history.csv", folder / "result.json", folder / "report.html"};
   sph::RollingResult result;
   {
     std::unique_ptr<Progress> line;
@@ -92,13 +94,13 @@ void run_deck(const RunWords& words, Settings& settings) {
   auto record = as_record(deck, result);
   record.manifest = {concat("apc ", APC_VERSION), settings.command_line, utc_now(), deck.files};
 
-  const auto folder = words.out.empty() ? fs::path("out") / ("sph_" + words.deck.stem().string()) : words.out;
   const auto json = report::rolling_json(record), csv = report::rolling_csv(record),
              page = report::rolling_page(record);
   if (stop_requested()) throw Interrupted();
   write_text(folder / "history.csv", csv);
   write_text(folder / "result.json", json);
   write_text(folder / "report.html", page);
+  settings.results.clear();  // made, and said below where the loads are none
   if (!settings.json.empty()) write_text(settings.json, json);
   if (!settings.quiet) {
     std::fputs(report::rolling_brief(record, settings.units).c_str(), stdout);

@@ -168,6 +168,7 @@ void run_study(const Words& words, Settings& settings) {
           simulation::loosest_rtol);
   auto loaded = load(words);
   const auto folder = words.out.empty() ? fs::path("out") / "study" : words.out;
+  settings.results = {folder / "study.csv", folder / "study.json", folder / "study.html"};
   const auto id = identity(loaded, words);
   study::Store store(folder / "cases.store", id);
   const auto cases = study::combinations(loaded.models, axes);
@@ -216,6 +217,7 @@ void run_study(const Words& words, Settings& settings) {
   write_text(folder / "study.csv", csv);
   write_text(folder / "study.json", json);
   write_text(folder / "study.html", page);
+  settings.results.clear();  // made; a case that failed is told below, and stands in the table
   if (!settings.json.empty()) write_text(settings.json, json);
   if (!settings.quiet) {
     std::fputs(report::study_brief(record, settings.units).c_str(), stdout);
