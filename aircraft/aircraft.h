@@ -66,6 +66,7 @@ struct Aircraft {
   double mass = 0.0, pitch_inertia = 0.0;             ///< kg, kg m²
   double ramp_mass = 0.0;                             ///< kg, design ramp (taxi) weight for 25.509; 0 = unknown
   double landing_mass = 0.0;                          ///< kg, design landing weight for 25.493; 0 = unknown
+  double takeoff_mass = 0.0;                          ///< kg, design take-off weight for 25.493(d), (e); 0 = unknown
   double cg_behind_nose_gear = 0.0, cg_height = 0.0;  ///< m, static, level pavement
   Aerodynamics aero;
   double idle_thrust = 0.0, thrust_height = 0.0;  ///< N, m

@@ -122,6 +122,12 @@ void read_body(const Json& file, const Json& cg, Aircraft& aircraft) {
              concat("is below the mass of ", aircraft.mass,
                     " kg: no aircraft rolls heavier than its design ramp weight. Raise ramp_mass or lower mass"));
   aircraft.landing_mass = not_negative(file, "landing_mass", file.quantity("landing_mass", dimension::mass, 0.0));
+  aircraft.takeoff_mass = not_negative(file, "takeoff_mass", file.quantity("takeoff_mass", dimension::mass, 0.0));
+  file.check(aircraft.takeoff_mass == 0.0 || aircraft.ramp_mass == 0.0 || aircraft.takeoff_mass <= aircraft.ramp_mass,
+             "takeoff_mass",
+             concat("is above the ramp_mass of ", aircraft.ramp_mass,
+                    " kg: the fuel burnt on the way to the runway lies between them. Lower takeoff_mass or raise "
+                    "ramp_mass"));
   aircraft.cg_behind_nose_gear = cg.quantity("behind_nose_gear", dimension::length);
   aircraft.cg_height = positive(cg, "height", dimension::length, "must be above the pavement");
   cg.ignore("sources");

@@ -16,30 +16,38 @@ double reaction(const Aircraft& aircraft, const Gear& gear, double mass, double 
 }
 
 struct Weights {
-  double ramp, landing;
-  std::string ramp_name, landing_name;
+  double ramp, takeoff, landing;
+  std::string ramp_name, takeoff_name, landing_name;
 };
 
 Weights weights(const Aircraft& aircraft) {
   const bool ramp = aircraft.ramp_mass > 0.0, landing = aircraft.landing_mass > 0.0;
-  return {ramp ? aircraft.ramp_mass : aircraft.mass, landing ? aircraft.landing_mass : aircraft.mass,
-          ramp ? "the ramp weight" : "the file's mass (no ramp_mass given)",
-          landing ? "the landing weight" : "the file's mass (no landing_mass given)"};
+  Weights w{ramp ? aircraft.ramp_mass : aircraft.mass,
+            aircraft.takeoff_mass,
+            landing ? aircraft.landing_mass : aircraft.mass,
+            ramp ? "the ramp weight" : "the file's mass (no ramp_mass given)",
+            "the take-off weight",
+            landing ? "the landing weight" : "the file's mass (no landing_mass given)"};
+  if (w.takeoff == 0.0)
+    w.takeoff = w.ramp, w.takeoff_name = ramp ? "the ramp weight (no takeoff_mass given)" : w.ramp_name;
+  return w;
 }
 
 void nose_vertical(const Aircraft& aircraft, LoadLimits& limits) {
   const auto w = weights(aircraft);
   const double weight = w.ramp * units::g0, ahead = aircraft.cg_behind_nose_gear, height = aircraft.cg_height;
+  const double takeoff_weight = w.takeoff * units::g0;
   const double base = static_stand(aircraft).main_centroid, behind = base - ahead;
   constexpr double friction = 0.8, dynamic_factor = 2.0;
   const double braking =
-      weight / base * (behind + dynamic_factor * friction * ahead * height / (base + friction * height));
+      takeoff_weight / base * (behind + dynamic_factor * friction * ahead * height / (base + friction * height));
   int units_of_main = 0;
   for (const auto& gear : aircraft.gears) units_of_main += gear.is_nose() ? 0 : gear.struts;
   const double one_main = weight * ahead / base / std::max(1, units_of_main);
   const double yawing = weight * behind / base + 0.8 * one_main * height / base;
   limits.vertical_limit = std::max(braking, yawing);
-  limits.vertical_rule = (braking >= yawing ? "14 CFR 25.493(e) from " : "14 CFR 25.499(b) from ") + w.ramp_name;
+  limits.vertical_rule =
+      braking >= yawing ? "14 CFR 25.493(e) from " + w.takeoff_name : "14 CFR 25.499(b) from " + w.ramp_name;
 }
 
 }  // namespace

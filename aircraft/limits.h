@@ -4,8 +4,11 @@
 ///                  0.15 W above, W the design ramp weight; the criterion of ACRP Report 29
 ///   main drag      14 CFR 25.493(b): 0.8 × vertical at each braked wheel, n_z 1.2 at the design landing weight or 1.0
 ///                  at the ramp weight; an unbraked main gear: 0.75 F_TOW (25.509)
-///   nose vertical  the larger of 14 CFR 25.493(e), sudden braking with μ = 0.8 and dynamic factor 2 (its formula
-///                  recalled, unverified), and 25.499(b), 0.8 × one main gear's load acting forward at the cg
+///   nose vertical  the larger of 14 CFR 25.493(e), sudden braking with μ = 0.8 and dynamic factor 2 at the design
+///                  take-off weight W (25.493(d)),
+///                    V = W/(A + B) [B + f μ A E/(A + B + μ E)],  A, B from the cg to nose and main gear, E its height
+///                  (recalled, unverified), and 25.499(b), 0.8 × one main gear's load acting forward at the cg, at the
+///                  ramp weight (25.489)
 ///   main vertical  14 CFR 25.493(b), the vertical reaction itself
 ///   ultimate       1.5 × limit (14 CFR 25.303)
 #pragma once

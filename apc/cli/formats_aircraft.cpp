@@ -17,6 +17,8 @@ FormatNote describe_aircraft() {
            "{\"mass\": \"design landing weight, planning manual\"}"},
           {"mass", "mass", "required", "as it overruns, unless a run gives its own", "\"65000 kg\""},
           {"ramp_mass", "mass", "optional", "design ramp mass, for the towing loads of 14 CFR 25.509", "\"79242 kg\""},
+          {"takeoff_mass", "mass", "optional; the ramp mass", "design take-off mass, for 14 CFR 25.493(e)",
+           "\"79016 kg\""},
           {"landing_mass", "mass", "optional", "design landing mass, for 14 CFR 25.493", "\"66361 kg\""},
           {"pitch_inertia", "moment of inertia", "required", "about the centre of gravity; scales with mass",
            "\"3.0e6 kg m^2\""},

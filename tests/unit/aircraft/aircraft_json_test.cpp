@@ -82,6 +82,11 @@ TEST(AircraftFile, RefusesARampMassBelowTheMass) {
               HasSubstr("/ramp_mass: \"60000 kg\" is below the mass of 66361 kg"));
 }
 
+TEST(AircraftFile, RefusesATakeOffMassAboveTheRampMass) {
+  EXPECT_THAT(refusal("\"79016 kg\"", "\"79500 kg\""),
+              HasSubstr("/takeoff_mass: \"79500 kg\" is above the ramp_mass of 79243 kg"));
+}
+
 TEST(AircraftFile, RefusesAnUltimateLoadBelowTheLimitInForceThoughARuleGivesThat) {
   // 14 CFR 25.509 from the ramp weight: 116.6 kN.
   const auto message = refusal("\"name\": \"nose\"", "\"name\": \"nose\", \"limits\": {\"drag_ultimate\": \"100 kN\"}");

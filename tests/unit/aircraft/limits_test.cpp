@@ -42,6 +42,21 @@ TEST(Limits, BrakedMainGearFollows25_493) {
   EXPECT_NEAR(main.drag_limit, 0.8 * main.vertical_limit, 1e-6);
 }
 
+TEST(Limits, SuddenBrakingOf25_493eActsAtTheTakeOffWeight) {
+  auto plane = shipped_aircraft("B737-800");
+  const auto nose = [&] { return load_limits(plane, plane.gears.front()); };
+  // V = W/(A + B) [B + f mu A E/(A + B + mu E)] at 174,200 lb, by hand
+  const double ahead = 14.5, behind = 15.6 - 14.5, height = plane.cg_height, weight = 79016.0 * units::g0;
+  const double expected = weight / 15.6 * (behind + 2.0 * 0.8 * ahead * height / (15.6 + 0.8 * height));
+  EXPECT_NEAR(nose().vertical_limit, expected, 1e-6 * expected);
+  EXPECT_EQ(nose().vertical_rule, "14 CFR 25.493(e) from the take-off weight");
+  plane.ramp_mass *= 1.1;  // does not enter
+  EXPECT_NEAR(nose().vertical_limit, expected, 1e-6 * expected);
+  plane.takeoff_mass = 0.0;
+  EXPECT_NEAR(nose().vertical_limit, expected * plane.ramp_mass / 79016.0, 1e-6 * expected);
+  EXPECT_EQ(nose().vertical_rule, "14 CFR 25.493(e) from the ramp weight (no takeoff_mass given)");
+}
+
 TEST(Limits, TheFileOverrules) {
   auto plane = shipped_aircraft("CRJ-200");
   plane.gears[0].limits.drag_limit = 50e3;
