@@ -50,6 +50,7 @@ struct Gear {
   bool braked = false;
   double axle_spacing = 0.0, bogie_inertia = 0.0;  ///< m; kg m² per bogie (optional)
   double bogie_damping = 0.0;                      ///< N m s per bogie (optional); 0 = 20 % of critical on its tires
+  bool brake_rods = true;                          ///< they hold the brakes' torque off a bogie's beam (optional)
   double track = 0.0, wheel_spacing = 0.0;         ///< m, lateral (optional)
   Strut strut;
   GearLimits limits;
@@ -65,8 +66,8 @@ struct Aircraft {
   std::string name, source;
   double mass = 0.0, pitch_inertia = 0.0;             ///< kg, kg m²
   double ramp_mass = 0.0;                             ///< kg, design ramp (taxi) weight for 25.509; 0 = unknown
-  double landing_mass = 0.0;                          ///< kg, design landing weight for 25.493; 0 = unknown
   double takeoff_mass = 0.0;                          ///< kg, design take-off weight for 25.493(d), (e); 0 = unknown
+  double landing_mass = 0.0;                          ///< kg, design landing weight for 25.493; 0 = unknown
   double cg_behind_nose_gear = 0.0, cg_height = 0.0;  ///< m, static, level pavement
   Aerodynamics aero;
   double idle_thrust = 0.0, thrust_height = 0.0;  ///< N, m

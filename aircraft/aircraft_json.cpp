@@ -104,6 +104,7 @@ Gear read_gear(const Json& json, const Json& strut, const Json* limits, const Ti
       gear.bogie_inertia = gear.unsprung_mass * std::pow(0.5 * (gear.axles - 1) * gear.axle_spacing, 2) * 2.0 / 3.0;
     gear.bogie_damping = json.quantity("bogie_damping", dimension::angular_damping, 0.0);
     json.check(gear.bogie_damping >= 0.0, "bogie_damping", "is negative. Leave it out to have it estimated");
+    gear.brake_rods = json.flag("brake_rods", true);
   }
   gear.track = not_negative(json, "track", json.quantity("track", dimension::length, 0.0));
   gear.wheel_spacing = not_negative(json, "wheel_spacing", json.quantity("wheel_spacing", dimension::length, 0.0));
@@ -121,13 +122,13 @@ void read_body(const Json& file, const Json& cg, Aircraft& aircraft) {
   file.check(aircraft.ramp_mass == 0.0 || aircraft.ramp_mass >= aircraft.mass, "ramp_mass",
              concat("is below the mass of ", aircraft.mass,
                     " kg: no aircraft rolls heavier than its design ramp weight. Raise ramp_mass or lower mass"));
-  aircraft.landing_mass = not_negative(file, "landing_mass", file.quantity("landing_mass", dimension::mass, 0.0));
   aircraft.takeoff_mass = not_negative(file, "takeoff_mass", file.quantity("takeoff_mass", dimension::mass, 0.0));
   file.check(aircraft.takeoff_mass == 0.0 || aircraft.ramp_mass == 0.0 || aircraft.takeoff_mass <= aircraft.ramp_mass,
              "takeoff_mass",
              concat("is above the ramp_mass of ", aircraft.ramp_mass,
                     " kg: the fuel burnt on the way to the runway lies between them. Lower takeoff_mass or raise "
                     "ramp_mass"));
+  aircraft.landing_mass = not_negative(file, "landing_mass", file.quantity("landing_mass", dimension::mass, 0.0));
   aircraft.cg_behind_nose_gear = cg.quantity("behind_nose_gear", dimension::length);
   aircraft.cg_height = positive(cg, "height", dimension::length, "must be above the pavement");
   cg.ignore("sources");

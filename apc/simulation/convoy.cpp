@@ -1,5 +1,6 @@
 #include "apc/simulation/convoy.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -108,7 +109,9 @@ bool fits_lanes(const Errand& errand) {
   const auto& overrun = *errand.overrun;
   return errand.options->method == Method::fast && overrun.brake_mode == BrakeMode::friction &&
          !overrun.sinking.counts() && !overrun.alterations.guide && !overrun.alterations.alter_thrust() &&
-         !alters_site(overrun);
+         !alters_site(overrun) && std::ranges::all_of(errand.model->aircraft.gears, [](const auto& gear) {
+           return gear.axles == 1 || gear.brake_rods;
+         });
 }
 
 struct Convoy::Lane {

@@ -23,8 +23,8 @@ struct Outturn {
   std::exception_ptr failure;
 };
 
-/// Whether lanes know all that a run needs: the fast path without guide, timed thrust, brakes by torque, response to
-/// sinking, or effects on the site.
+/// Whether lanes know all that a run needs: the fast path without guide, timed thrust, brakes by torque, brakes on
+/// bogie beams, response to sinking, or effects on the site.
 bool fits_lanes(const Errand&);
 
 class Convoy {

@@ -53,9 +53,13 @@ std::array<double, sinks> powers(const Plant& plant, const Surroundings& around,
     const double ground = -(row.contact_x * row.velocity.x + row.contact_z * row.velocity.z);
     take(around.in_bed[r] && row.bed_depth > 0.0 ? Sink::bed : Sink::tires, ground);
     const double along = row.tangent.x * row.velocity.x + row.tangent.z * row.velocity.z;
-    // On the airframe the brake torque turns with θ′; on the wheel it works only where the wheel is a body of its own.
+    // What holds the brake turns with θ′, or φ′ where it is a beam; on the wheel the torque works only where the wheel
+    // is a body of its own.
     const bool on_wheel = plant.brake_mode == BrakeMode::torque;
-    take(Sink::brakes, row.brake_force * along + row.brake_torque * (q + (on_wheel ? row.spin : 0.0)));
+    const auto& group = plant.groups[static_cast<std::size_t>(plant.rows[r].group)];
+    const double held =
+        group.brakes_on_beam ? rate[3 + plant.groups.size() + static_cast<std::size_t>(group.bogie)] : q;
+    take(Sink::brakes, row.brake_force * along + row.brake_torque * (held + (on_wheel ? row.spin : 0.0)));
     take(Sink::wheel_slip, row.slip_force * (along - (slips ? row.roll_radius * row.spin : 0.0)));
   }
   for (std::size_t g = 0; g < plant.groups.size(); ++g) {

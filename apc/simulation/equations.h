@@ -5,8 +5,9 @@
 ///   strut      s″ = (e·P − S)/m − e·(a + θ″ ρ^⊥)
 ///   body       m_s a + Σ m n (n·(a + θ″ρ^⊥)) = F_aero + F_thrust + m_s g + Σ [S e + (n·P) n]
 ///              I θ″ + Σ m (ρ^⊥·n)(n·(a + θ″ρ^⊥)) = M + Σ [ρ^⊥·(S e + (n·P) n) + T]
-///   bogie      J φ″ = Σ r_i × F_i − c (φ′ − θ′);   T = c (φ′ − θ′) − brake torque (brake rods hold the torque off the
-///   beam) wheel      I ω′ = F_slip R_r − T_b;            R_r = R / spin ratio, the table's free rolling radius
+///   bogie      J φ″ = Σ r_i × F_i − c (φ′ − θ′);   T = c (φ′ − θ′) − T_b: brake rods lead the brakes' torque past the
+///              beam to the strut; without them −T_b stands in the beam's row instead
+///   wheel      I ω′ = F_slip R_r − T_b;             R_r = R / spin ratio, the table's free rolling radius
 /// a symmetric 3 × 3 solve whatever the number of struts. The tread's force reaches the airframe through the axle; its
 /// moment about the axle goes to the spin, so that only brake torque comes back as a moment.
 #pragma once

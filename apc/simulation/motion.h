@@ -194,6 +194,13 @@ inline double thrust_at(const Plant& plant, double time) {
   return plant.timed_thrust ? plant.thrust + plant.alterations->thrust(time) : plant.thrust;
 }
 
+/// Runs side by side all have brake rods (convoy.h).
+inline bool brakes_on_beam(const Group& group) { return group.brakes_on_beam; }
+template <class G>
+bool brakes_on_beam(const G&) {
+  return false;
+}
+
 /// One gear group as a right-hand side leaves it, for the derivatives.
 template <class V>
 struct GroupMotion {
@@ -275,7 +282,7 @@ inline void motion(const Aircraft& plant, const V& time, const V* y, V* dydt, Se
         const auto row = row_of(r, axle + out, axle_velocity + rate[beam] * perpendicular(out), spin[r],
                                 seen ? &seen->rows[static_cast<std::size_t>(r)] : nullptr);
         force = force + row.force;
-        torque -= row.brake_torque;
+        (brakes_on_beam(group) ? beam_moment : torque) -= row.brake_torque;
         beam_moment += out.x * row.force.z - out.z * row.force.x;
         spin_rate[r] = row.spin_rate;
       }

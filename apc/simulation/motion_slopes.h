@@ -107,15 +107,15 @@ void jacobian_of(const Aircraft& plant, const Around& around, const V& time, con
         const V fx = by(row.force.x), fz = by(row.force.z);
         force_x[k] += fx;
         force_z[k] += fz;
-        torque[k] -= by(row.brake_torque);
+        (brakes_on_beam(group) ? on_beam : torque)[k] -= by(row.brake_torque);
         on_beam[k] += out.x * fz - out.z * fx;
         spin_row[column[k]] = by(row.spin_rate);
       }
       const int s = in_spin + r;
       force_x[s] = row.force.x.d[3];
       force_z[s] = row.force.z.d[3];
-      torque[s] = -row.brake_torque.d[3];
       on_beam[s] = out.x * force_z[s] - out.z * force_x[s];
+      (brakes_on_beam(group) ? on_beam : torque)[s] -= row.brake_torque.d[3];
       spin_row[column[s]] = row.spin_rate.d[3];
       on_beam[in_beam] -= out.z * row.force.z.value + out.x * row.force.x.value;
     }

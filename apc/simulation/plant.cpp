@@ -44,6 +44,7 @@ void add_group(const aircraft::Aircraft& aircraft, std::size_t index, const airc
   }
   if (gear.axles > 1) {
     group.bogie = plant.bogies++;
+    group.brakes_on_beam = !gear.brake_rods;
     group.bogie_inertia = gear.struts * gear.bogie_inertia;
     const double arm = 0.5 * (gear.axles - 1) * gear.axle_spacing;
     const double stiffness =

@@ -53,6 +53,7 @@ struct Group {
   int first_row = 0, rows = 1;
   int bogie = -1;                                   ///< index among the bogies; -1 without
   double bogie_inertia = 0.0, bogie_damping = 0.0;  ///< all struts: kg m², N m s
+  bool brakes_on_beam = false;                      ///< no brake rods: the beam takes the brakes' torque
 };
 
 struct Plant {

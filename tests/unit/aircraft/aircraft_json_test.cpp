@@ -87,6 +87,19 @@ TEST(AircraftFile, RefusesATakeOffMassAboveTheRampMass) {
               HasSubstr("/takeoff_mass: \"79500 kg\" is above the ramp_mass of 79243 kg"));
 }
 
+TEST(AircraftFile, BogiesHaveBrakeRodsUnlessItSaysOtherwise) {
+  const auto path = std::filesystem::temp_directory_path() / ("brake_rods_" + std::to_string(::getpid()) + ".json");
+  const auto tires = load_tires(shipped("aircraft/data") / "tires.json");
+  write_text(
+      path, replaced(shipped_text("B747-400.json"), "\"name\": \"body\"", "\"name\": \"body\", \"brake_rods\": false"));
+  const auto plane = load_aircraft(path, tires);
+  std::filesystem::remove(path);
+  EXPECT_TRUE(plane.gears[1].brake_rods);
+  EXPECT_FALSE(plane.gears[2].brake_rods);
+  EXPECT_THAT(refusal("\"name\": \"main\"", "\"name\": \"main\", \"brake_rods\": false"),
+              HasSubstr("brake_rods"));  // one axle has no beam
+}
+
 TEST(AircraftFile, RefusesAnUltimateLoadBelowTheLimitInForceThoughARuleGivesThat) {
   // 14 CFR 25.509 from the ramp weight: 116.6 kN.
   const auto message = refusal("\"name\": \"nose\"", "\"name\": \"nose\", \"limits\": {\"drag_ultimate\": \"100 kN\"}");

@@ -36,9 +36,19 @@ std::vector<double> lively_state(const Plant& plant) {
 }
 
 TEST(Equations, JacobianAgreesWithDifferencesForEveryShippedAircraft) {
-  for (const auto& [name, sinking] :
-       {std::pair{"CRJ-200", 0.0}, {"B737-800", 0.0}, {"B747-400", 0.0}, {"B737-800", 1.0}, {"B747-400", 1.0}}) {
-    const auto model = testing::foam_model(name, testing::foam_bed(0.45));
+  struct Case {
+    const char* name;
+    double sinking;
+    bool brake_rods;
+  };
+  for (const auto& [name, sinking, brake_rods] : {Case{"CRJ-200", 0.0, true},
+                                                  {"B737-800", 0.0, true},
+                                                  {"B747-400", 0.0, true},
+                                                  {"B747-400", 0.0, false},
+                                                  {"B737-800", 1.0, true},
+                                                  {"B747-400", 1.0, true}}) {
+    auto model = testing::foam_model(name, testing::foam_bed(0.45));
+    for (auto& gear : model.aircraft.gears) gear.brake_rods = brake_rods;
     Overrun overrun;
     overrun.entry_speed = 25.0;
     overrun.braking = 0.2;
@@ -77,9 +87,11 @@ TEST(Sinking, AddsTheArcBehindTheLowestPoint) {
 
 TEST(Equations, ConserveEnergyAtEveryInstant) {
   // d(stores)/dt + Σ powers = 0 along the motion, checked at one instant by differences.
-  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"})
+  for (const auto& [name, brake_rods] :
+       {std::pair{"CRJ-200", true}, {"B737-800", true}, {"B747-400", true}, {"B747-400", false}})
     for (const auto mode : {BrakeMode::friction, BrakeMode::torque}) {
-      const auto model = testing::foam_model(name, testing::foam_bed(0.45));
+      auto model = testing::foam_model(name, testing::foam_bed(0.45));
+      for (auto& gear : model.aircraft.gears) gear.brake_rods = brake_rods;
       Overrun overrun;
       overrun.entry_speed = 25.0;
       overrun.braking = 0.2;
@@ -185,6 +197,42 @@ TEST(Trim, BrakingLoadsTheNoseByItsMoment) {
   const double expected = plane.mass * (braked_deceleration - free_deceleration) * plane.cg_height / base;
   EXPECT_NEAR(braked - free, expected, 0.05 * expected);  // cg height and wheelbase move a little with pitch
   EXPECT_GT(braked_deceleration, 0.2 * units::g0);
+}
+
+TEST(Trim, WithoutBrakeRodsTheBrakesLoadTheFrontAxlesOfABogie) {
+  // Steady braking on pavement, moments about a bogie's pivot: with rods the wheels' forces balance alone; without,
+  // they carry the brakes' torque, and the front axle more than the rear one by 2 T / spacing.
+  for (const bool rods : {true, false})
+    for (const auto mode : {BrakeMode::friction, BrakeMode::torque}) {
+      auto model = testing::foam_model("B747-400", testing::pavement());
+      for (auto& gear : model.aircraft.gears) gear.brake_rods = rods;
+      Overrun overrun;
+      overrun.entry_speed = 30.0;
+      overrun.braking = 0.25;
+      overrun.brake_mode = mode;
+      const auto plant = make_plant(model, overrun);
+      const auto y = trim(plant, 30.0).state;
+      std::vector<double> rate(y.size());
+      Moment moment;
+      derivatives(plant, surroundings_at_entry(plant), 0.0, y.data(), rate.data(), &moment);
+      for (const auto& group : plant.groups) {
+        if (group.bogie < 0) continue;
+        const double beam = y[3 + plant.groups.size() + static_cast<std::size_t>(group.bogie)];
+        double lever = 0.0, torque = 0.0;
+        for (int r = group.first_row; r < group.first_row + group.rows; ++r) {
+          const auto& row = moment.rows[static_cast<std::size_t>(r)];
+          const double offset = plant.rows[static_cast<std::size_t>(r)].offset;
+          lever += offset * (std::cos(beam) * row.force_z - std::sin(beam) * row.force_x);
+          torque += row.brake_torque;
+        }
+        ASSERT_GT(torque, 0.0) << group.name;
+        EXPECT_NEAR(lever, rods ? 0.0 : torque, 1e-6 * torque) << group.name;
+        const auto &front = moment.rows[static_cast<std::size_t>(group.first_row)],
+                   &rear = moment.rows[static_cast<std::size_t>(group.first_row + 1)];
+        const double spacing = model.aircraft.gears[1].axle_spacing;
+        EXPECT_NEAR(front.force_z - rear.force_z, rods ? 0.0 : 2.0 * torque / spacing, 0.02 * 2.0 * torque / spacing);
+      }
+    }
 }
 
 TEST(Trim, SaysWhatToCheckWhenThereIsNoBalance) {
