@@ -50,12 +50,15 @@ class Course {
     for (int r = 1; r < static_cast<int>(plant.rows.size()); ++r)
       if (!around.in_bed[static_cast<std::size_t>(r)]) waiting_.push_back(r);
     for (const auto& row : plant.rows) any_follower_ = any_follower_ || row.ahead >= 0;
+    narrow_ = has_narrow_pieces(plant);
   }
 
   Ending run(const std::vector<double>& start) {
     begin(start);
     for (;;) {
       const double before = solver_.time();
+      if constexpr (has_quadratures)
+        if (narrow_) solver_.stop_at(before + time_to_corner_from(before));
       solver_.step();
       const auto passed = stretch(before);
       look_between(passed);
@@ -68,6 +71,7 @@ class Course {
     way_ = y_[0];
     solver_.start(0.0, y_);
     look(0.0);
+    started_ = 0.0;
     write_ruts(plant_, around_, moment_);
     if (observer_.interval() == 0.0) observer_.see(0.0, y_.data(), around_, moment_, 0.0);
     power_ = powers(plant_, around_, y_.data(), moment_);
@@ -108,6 +112,7 @@ class Course {
 
   /// The end of a stretch; true when the run has ended there.
   bool close(const Stretch& passed) {
+    if (narrow_ && observer_.interval() > 0.0) look_aside(passed.until);
     if (!has_quadratures || any_follower_) see(passed, 2 * passed.pairs, passed.until);
     if constexpr (has_quadratures) solver_.integrals(passed.until, dissipated_.data());
     if (passed.event != Event::none && passed.event != Event::row) return true;
@@ -184,6 +189,21 @@ class Course {
     return moment_;
   }
 
+  /// From a solver's step or, right after a start, from the state it started with.
+  double time_to_corner_from(double t) {
+    if (t > started_) {
+      solver_.state(t, y_.data());
+      look(t);
+    }
+    return time_to_corner(plant_, moment_);
+  }
+  /// Where a bed has narrow pieces a load may come and go between two instants of the grid; steps end at their corners.
+  void look_aside(double t) {
+    solver_.state(t, y_.data());
+    look(t);
+    observer_.see_between(t, y_.data(), around_, moment_);
+  }
+
   void see(const Stretch& passed, int index, double t) {
     const auto& moment = instant(t);
     if (any_follower_) write_ruts(plant_, around_, moment);
@@ -226,6 +246,7 @@ class Course {
       solver_.start(until, y_);
     }
     look(until);
+    started_ = until;
     write_ruts(plant_, around_, moment_);
     power_ = powers(plant_, around_, y_.data(), moment_);
   }
@@ -238,10 +259,11 @@ class Course {
   std::vector<double> y_, rate_;
   std::vector<int> waiting_;
   int entering_ = -1;
-  bool any_follower_ = false;
+  bool any_follower_ = false, narrow_ = false;
   Moment moment_;
   std::array<double, sinks> dissipated_{}, power_{}, half_{};
-  double settled_ = 0.0, next_look_ = 0.0, way_ = 0.0;  ///< way: X at the end of the last stretch
+  double settled_ = 0.0, next_look_ = 0.0, started_ = 0.0;
+  double way_ = 0.0;  ///< X at the end of the last stretch
   long looks_ = 0;
   bool slow_ = false;     ///< at the end of the last stretch: the drag fades
   double unfaded_ = 0.0;  ///< m/s², as in Ending

@@ -5,6 +5,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <sundials/sundials_context.hpp>
@@ -183,6 +184,11 @@ void Cvode::start(double t, const std::vector<double>& y, const std::vector<doub
     if (e.s) e.check(CVodeSensReInit(e.memory, CV_STAGGERED1, e.s), "restart its sensitivities");
   }
   previous_ = time_ = t;
+}
+
+void Cvode::stop_at(double t) {
+  constexpr double far = 1e6;  // s; version 6.4 cannot take a bound away
+  engine_->check(CVodeSetStopTime(engine_->memory, std::min(t, time_ + far)), "take a stop time");
 }
 
 double Cvode::step() {

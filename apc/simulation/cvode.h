@@ -41,6 +41,8 @@ class Cvode {
   /// Starts (or restarts) here; quadratures continue from `integrals`, sensitivities (parameters × states) from `s`.
   void start(double t, const std::vector<double>& y, const std::vector<double>& integrals = {},
              const std::vector<double>& s = {});
+  /// The next step ends at `t` at the latest; holds for that step alone. Infinite: no bound.
+  void stop_at(double t);
   /// One step of the solver's own choice; returns the time reached. SolveError when it gives up.
   double step();
   double previous_time() const { return previous_; }

@@ -97,6 +97,12 @@ void Observer::record(double time, const double* y, const Moment& moment, double
 }
 
 void Observer::see(double time, const double* y, const Surroundings& around, const Moment& moment, double dissipated) {
+  see_between(time, y, around, moment);
+  if (rows_every_ > 0 && instants_ % rows_every_ == 0) record(time, y, moment, dissipated);
+  ++instants_;
+}
+
+void Observer::see_between(double time, const double* y, const Surroundings& around, const Moment& moment) {
   const double nose = moment.rows[0].distance, speed = moment.cg_velocity.x;
   deceleration_.see(time, -moment.cg_acceleration.x, nose);
   pitch_up_.see(time, y[2], nose);
@@ -149,8 +155,6 @@ void Observer::see(double time, const double* y, const Surroundings& around, con
   all_airborne_.see(none_down, passed, nose);
   last_distance_ = nose;
   last_time_ = time;
-  if (rows_every_ > 0 && instants_ % rows_every_ == 0) record(time, y, moment, dissipated);
-  ++instants_;
 }
 
 /// Outside is an instant at which any row of the gear is.

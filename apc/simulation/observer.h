@@ -32,6 +32,8 @@ class Observer {
   double interval() const { return interval_; }
   /// One instant at or after entry, in the order of time.
   void see(double time, const double* y, const Surroundings&, const Moment&, double dissipated);
+  /// The same between the instants of the grid: no history row.
+  void see_between(double time, const double* y, const Surroundings&, const Moment&);
   /// A history row before entry or at the end of the run (not counted in peaks or means).
   void record(double time, const double* y, const Moment&, double dissipated);
   /// Fills extremes, gears, coverage and history.

@@ -83,6 +83,15 @@ double longest_way(const Plant& plant) {
   return reach;
 }
 
+bool has_narrow_pieces(const Plant& plant) { return plant.profile.shortest_piece() < longest_way(plant); }
+
+/// The factors undo what fading did before: ∫₁^∞ x (coth x − 1) dx = 0.215520, ∫₁^∞ (coth x − 1) dx = 0.145413.
+Rest come_to_rest(double deceleration) {
+  const double unfaded = deceleration / std::tanh(1.0);
+  if (!(unfaded > 0.0)) return {};
+  return {(0.5 - 0.2155197) * creep_speed * creep_speed / unfaded, (1.0 - 0.1454135) * creep_speed / unfaded};
+}
+
 std::vector<double> absolute_tolerances(const Plant& plant, double rtol) {
   const double scale = rtol / 1e-6;
   const int n = plant.degrees(), groups = static_cast<int>(plant.groups.size());

@@ -39,10 +39,18 @@ void write_ruts(const Plant&, Surroundings&, double time, const double* y);
 inline constexpr double rut_spacing = 0.2;  ///< m between entries of a rut log, at most
 /// Longest way of one step: a trailing row must never outrun the ruts written so far, and no step may jump a ramp.
 double longest_way(const Plant&);
+/// Whether a piece of the bed is shorter than a step may be: it could lie between two steps and not be felt at all. The
+/// reference method then ends its steps at corners, as the fast one always does.
+bool has_narrow_pieces(const Plant&);
 /// Time until the first row of wheels comes to a corner of its ground, s; infinite when none lies ahead. A step that
 /// ends there has no kink within: error estimates do not see what one does to a step.
 double time_to_corner(const Plant&, const Moment&);
 inline constexpr double at_corner = 0.5e-3;  ///< m from it: there
+/// From the last computed state (`creep_speed`, drag faded by tanh) to rest at the unfaded deceleration.
+struct Rest {
+  double distance = 0.0, time = 0.0;
+};
+Rest come_to_rest(double deceleration);
 /// Absolute tolerances of the reference method for every state.
 std::vector<double> absolute_tolerances(const Plant&, double rtol);
 /// Thrust against a drag that fades below a few `creep_speed` would roll on for ever where the unfaded drag is larger:

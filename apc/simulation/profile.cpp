@@ -25,6 +25,12 @@ std::vector<double> Profile::corners(double half_patch) const {
   return found;
 }
 
+double Profile::shortest_piece() const {
+  double shortest = length();
+  for (std::size_t i = 0; i < slope_.size(); ++i) shortest = std::min(shortest, distance_[i + 1] - distance_[i]);
+  return shortest;
+}
+
 std::size_t Profile::piece(double distance) const {
   std::size_t i = 0;
   while (i + 2 < distance_.size() && distance >= distance_[i + 1]) ++i;

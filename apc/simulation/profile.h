@@ -38,6 +38,7 @@ class Profile {
     return {depth(distance), inclination(distance, half_patch)};
   }
   double length() const { return distance_.back(); }
+  double shortest_piece() const;
   /// Where what under() returns has a kink, in order: changes of the slope, and where a patch begins and ends to feel
   /// one.
   std::vector<double> corners(double half_patch) const;

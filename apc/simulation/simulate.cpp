@@ -29,17 +29,6 @@ const char* text(Outcome outcome) {
 
 namespace {
 
-/// From the last computed state (`creep_speed`, drag faded by tanh) to rest at the unfaded deceleration. The factors
-/// undo what fading did before: ∫₁^∞ x (coth x − 1) dx = 0.215520, ∫₁^∞ (coth x − 1) dx = 0.145413.
-struct Rest {
-  double distance = 0.0, time = 0.0;
-};
-Rest come_to_rest(double deceleration) {
-  const double unfaded = deceleration / std::tanh(1.0);
-  if (!(unfaded > 0.0)) return {};
-  return {(0.5 - 0.2155197) * creep_speed * creep_speed / unfaded, (1.0 - 0.1454135) * creep_speed / unfaded};
-}
-
 void fill_energy(const Plant& plant, const std::vector<double>& start, const Ending& end, Result& result) {
   const auto before = stores(plant, start.data()), after = stores(plant, end.state.data());
   double lost = 0.0;

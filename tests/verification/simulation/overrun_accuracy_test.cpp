@@ -166,6 +166,37 @@ TEST(StopDistance, MovesInProportionWithASmallChangeOfTheEntry) {
   }
 }
 
+TEST(NarrowPieces, OfABedAreFeltByBothMethods) {
+  // A rib of 20 mm on the base, a third of a millisecond at 60 kt: the reference's steps used to pass over it.
+  const auto bed = [](double height) {
+    auto ribbed = testing::foam_bed(0.4572, 15.24, 400.0);
+    ribbed.distance = {0.0, 15.24, 30.0, 30.01, 30.02, 400.0};
+    ribbed.depth = {0.0, 0.4572, 0.4572, 0.4572 - height, 0.4572, 0.4572};
+    return ribbed;
+  };
+  const auto run = [&](double height, double rtol, Method method) {
+    return simulate(testing::foam_model("B737-800", bed(height)), at(60), with(rtol, method));
+  };
+  const auto plain = run(0.0, 1e-9, Method::reference);
+  const auto exact = run(0.3, 1e-9, Method::reference);
+  const auto reference = run(0.3, 1e-6, Method::reference), fast = run(0.3, 1e-6, Method::fast);
+  std::printf(
+      "rib of 20 mm: stop %+.2f mm; reference %+.3f, fast %+.3f mm of that; nose vertical %.0f -> %.0f, %.0f, %.0f N\n",
+      1e3 * (exact.stop_distance - plain.stop_distance), 1e3 * (reference.stop_distance - exact.stop_distance),
+      1e3 * (fast.stop_distance - exact.stop_distance), plain.gears[0].peak_vertical, exact.gears[0].peak_vertical,
+      reference.gears[0].peak_vertical, fast.gears[0].peak_vertical);
+  EXPECT_GT(exact.gears[0].peak_vertical, 1.2 * plain.gears[0].peak_vertical);
+  auto seen = with(1e-6);  // with a history: instants of a grid, between which the rib comes and goes
+  seen.sampling = 0.005;
+  const auto model = testing::foam_model("B737-800", bed(0.3));
+  const auto seen_reference = simulate(model, at(60), seen);
+  seen.method = Method::fast;
+  for (const auto& each : {reference, fast, seen_reference, simulate(model, at(60), seen)}) {
+    EXPECT_NEAR(each.stop_distance, exact.stop_distance, 1e-3);
+    EXPECT_NEAR(each.gears[0].peak_vertical, exact.gears[0].peak_vertical, 0.02 * exact.gears[0].peak_vertical);
+  }
+}
+
 TEST(TableError, ShrinksWithTheNodes) {
   // The same closed-form ground, tabulated ever finer: the stop must settle.
   auto plane = testing::shipped_aircraft("B737-800");
