@@ -79,23 +79,50 @@ void add_energy(std::string& out, const OverrunRecord& record, UnitSystem units)
     out += fmt::format("    {:<24}{:>20.1e}\n", "residual, relative", residual->second);
 }
 
-/// In SI whatever the report's units: derivatives are compared with the result file's numbers.
+/// In SI whatever the report's units: derivatives are compared with the result file's numbers. A row per result, a
+/// column per input.
 void add_sensitivities(std::string& out, const OverrunRecord& record) {
   if (record.sensitivities.empty()) return;
-  out += fmt::format("\n  {:<30}{:>18}{:>18}{:>18}", "derivative by one unit of", "stop m", "exit speed m/s",
-                     "peak decel. m/s^2");
-  for (const auto& gear : record.sensitivities.front().by.gears)
-    out += fmt::format("{:>16}{:>16}", gear.name + " drag N", "vertical N");
-  out += "\n";
-  const auto value = [](double x) { return std::isfinite(x) ? fmt::format("{:.5g}", x) : std::string("-"); };
-  for (const auto& [by, unit] : record.sensitivities) {
-    const auto name = by.parameter + (unit == "1" ? "" : ", " + unit);
-    out += fmt::format("  {:<30}{:>18}{:>18}{:>18}", name, value(by.stop_distance), value(by.exit_speed),
-                       value(by.peak_deceleration));
-    for (const auto& gear : by.gears)
-      out += fmt::format("{:>16}{:>16}", value(gear.peak_drag), value(gear.peak_vertical));
+  using simulation::Sensitivity;
+  const auto row = [&](const std::string& name, const auto& value) {
+    out += fmt::format("  {:<34}", name);
+    for (const auto& each : record.sensitivities) {
+      const double slope = value(each.by);
+      out += fmt::format("{:>24}", std::isfinite(slope) ? fmt::format("{:.5g}", slope) : std::string("-"));
+    }
     out += "\n";
-  }
+  };
+  out += fmt::format("\n  {:<34}", "derivative by one unit of");
+  for (const auto& [by, unit] : record.sensitivities)
+    out += fmt::format("{:>24}", by.parameter + (unit == "1" ? "" : ", " + unit));
+  out += "\n";
+  for (const auto& [name, member] : std::initializer_list<std::pair<const char*, double Sensitivity::*>>{
+           {"stop, m", &Sensitivity::stop_distance},
+           {"exit speed, m/s", &Sensitivity::exit_speed},
+           {"time, s", &Sensitivity::stop_time},
+           {"peak deceleration, m/s^2", &Sensitivity::peak_deceleration},
+           {"largest 0.1 s mean, m/s^2", &Sensitivity::peak_deceleration_100ms},
+           {"mean deceleration, m/s^2", &Sensitivity::mean_deceleration},
+           {"lowest pitch, rad", &Sensitivity::lowest_pitch},
+           {"highest pitch, rad", &Sensitivity::peak_pitch}})
+    row(name, [m = member](const Sensitivity& by) { return by.*m; });
+  using Gear = Sensitivity::Gear;
+  const auto& gears = record.sensitivities.front().by.gears;
+  for (std::size_t g = 0; g < gears.size(); ++g)
+    for (const auto& [name, member] :
+         std::initializer_list<std::pair<const char*, double Gear::*>>{{"drag, N", &Gear::peak_drag},
+                                                                       {"mean drag, N", &Gear::mean_drag},
+                                                                       {"vertical, N", &Gear::peak_vertical},
+                                                                       {"drag margin", &Gear::drag_margin},
+                                                                       {"ultimate margin", &Gear::ultimate_margin},
+                                                                       {"vertical margin", &Gear::vertical_margin},
+                                                                       {"stroke, m", &Gear::peak_stroke},
+                                                                       {"penetration, m", &Gear::peak_penetration},
+                                                                       {"rut, m", &Gear::peak_rut},
+                                                                       {"tire load, N", &Gear::peak_tire_load}})
+      row(gears[g].name + " " + name, [g, m = member](const Sensitivity& by) { return by.gears[g].*m; });
+  for (const auto& [key, value] : record.sensitivities.front().by.energy)
+    row("energy " + energy_name(key) + ", J", [&key = key](const Sensitivity& by) { return by.energy.at(key); });
 }
 
 }  // namespace
@@ -118,7 +145,8 @@ std::vector<std::string> additions(const OverrunRecord& record) {
 }
 
 std::string energy_name(const std::string& key) {
-  static const std::map<std::string, std::string> names{{"kinetic_left", "motion left"},
+  static const std::map<std::string, std::string> names{{"kinetic", "motion at entry"},
+                                                        {"kinetic_left", "motion left"},
                                                         {"potential", "potential"},
                                                         {"bed", "bed"},
                                                         {"tires", "tires"},

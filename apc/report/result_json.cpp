@@ -95,11 +95,26 @@ Value sensitivities_json(const OverrunRecord& record) {
     one["unit"] = unit;
     one["stop_distance"] = number_or_null(of.stop_distance);
     one["exit_speed"] = number_or_null(of.exit_speed);
+    one["stop_time"] = number_or_null(of.stop_time);
     one["peak_deceleration"] = number_or_null(of.peak_deceleration);
+    one["peak_deceleration_100ms"] = number_or_null(of.peak_deceleration_100ms);
+    one["mean_deceleration"] = number_or_null(of.mean_deceleration);
+    one["peak_pitch"] = number_or_null(of.peak_pitch);
+    one["lowest_pitch"] = number_or_null(of.lowest_pitch);
     for (const auto& gear : of.gears) {
-      one["gears"][gear.name]["peak_drag"] = number_or_null(gear.peak_drag);
-      one["gears"][gear.name]["peak_vertical"] = number_or_null(gear.peak_vertical);
+      auto& on = one["gears"][gear.name];
+      on["peak_drag"] = number_or_null(gear.peak_drag);
+      on["peak_vertical"] = number_or_null(gear.peak_vertical);
+      on["mean_drag"] = number_or_null(gear.mean_drag);
+      on["drag_margin"] = number_or_null(gear.drag_margin);
+      on["ultimate_margin"] = number_or_null(gear.ultimate_margin);
+      on["vertical_margin"] = number_or_null(gear.vertical_margin);
+      on["peak_stroke"] = number_or_null(gear.peak_stroke);
+      on["peak_rut"] = number_or_null(gear.peak_rut);
+      on["peak_penetration"] = number_or_null(gear.peak_penetration);
+      on["peak_tire_load"] = number_or_null(gear.peak_tire_load);
     }
+    for (const auto& [name, slope] : of.energy) one["energy"][name] = number_or_null(slope);
   }
   return out;
 }

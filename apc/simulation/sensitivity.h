@@ -3,12 +3,13 @@
 ///   ds/dt = (∂f/∂y) s + ∂f/∂p          exact Jacobian; ∂f/∂p by a central difference of the plant alone
 ///   entry of a row with a jump at t_r:   s⁺ = s⁻ + (f⁻ − f⁺) dt_r/dp,   dt_r/dp = −(dx_row/dp)/ẋ_row
 ///   stop at t_s:                         dX/dp = X_y s + Ẋ dt_s/dp, whose second term vanishes with the speed
-///   interior peak of F at t*:            dF_max/dp = ∂F/∂y s + ∂F/∂p at t* (no time term, dF/dt = 0)
+///   peaks, inside and at corners:        carried_peak.h;   works: carried_works.h
 /// Ruts move along: the log a trailing row reads is carried for p ± ε as well.
 /// Source: W. F. Feehery, J. E. Tolsma, P. I. Barton, Appl. Numer. Math. 25 (1997) 41–54, for the staggered method.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,7 @@ ScalarParameter grade();
 std::vector<ScalarParameter> all();
 }  // namespace parameters
 
-/// Derivatives by one parameter, in SI per unit of the parameter.
+/// Derivatives of a result's scalars (result.h) by one parameter, in SI per unit of the parameter.
 struct Sensitivity {
   std::string parameter;
   Outcome outcome = Outcome::stopped;  ///< stopped or left_bed
@@ -42,9 +43,16 @@ struct Sensitivity {
   double peak_deceleration = 0.0;      ///< m/s²
   struct Gear {
     std::string name;
-    double peak_drag = 0.0, peak_vertical = 0.0;  ///< N per strut
+    double peak_drag = 0.0, peak_vertical = 0.0, mean_drag = 0.0;  ///< N per strut
+    double drag_margin = 0.0, ultimate_margin = 0.0, vertical_margin = 0.0;
+    double peak_stroke = 0.0, peak_rut = 0.0, peak_penetration = 0.0;  ///< m
+    double peak_tire_load = 0.0;                                       ///< N
   };
   std::vector<Gear> gears;
+  double stop_time = 0.0;                                         ///< s
+  double peak_deceleration_100ms = 0.0, mean_deceleration = 0.0;  ///< m/s²
+  double peak_pitch = 0.0, lowest_pitch = 0.0;                    ///< rad
+  std::map<std::string, double> energy;                           ///< J by sink and store; no "residual"
   SolverStatistics solver;
 };
 
