@@ -197,22 +197,6 @@ TEST(NarrowPieces, OfABedAreFeltByBothMethods) {
   }
 }
 
-TEST(TableError, ShrinksWithTheNodes) {
-  // The same closed-form ground, tabulated ever finer: the stop must settle.
-  auto plane = testing::shipped_aircraft("B737-800");
-  const auto stop = [&](int refine) {
-    std::vector<loadtables::LoadTable> tables;
-    for (const auto& [name, tire] : plane.tires) tables.push_back(testing::foam_table(tire, 50 * units::psi, refine));
-    return simulate(make_model(plane, testing::foam_bed(0.4572), tables), at(70), with(1e-8)).stop_distance;
-  };
-  const double coarse = stop(1), middle = stop(2), fine = stop(4), finest = stop(8);
-  std::printf("V10 table nodes 17x25, 33x49, 65x97 against 129x193: %+.4f %+.4f %+.4f m of %.4f m\n", coarse - finest,
-              middle - finest, fine - finest, finest);
-  EXPECT_LT(std::abs(fine - finest), std::abs(coarse - finest));
-  EXPECT_LT(std::abs(fine - finest), 5e-3);
-  EXPECT_LT(std::abs(coarse - finest), 0.01 * finest);
-}
-
 /// On pavement with friction and damping taken out, so that a disturbance rings on.
 Model ringing_model(const std::string& name) {
   auto model = testing::foam_model(name, testing::pavement());
