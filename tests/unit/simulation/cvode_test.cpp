@@ -31,6 +31,23 @@ TEST(Cvode, FollowsAnOscillatorAndItsQuadrature) {
   EXPECT_NEAR(q[0], y[0] - 1.0, 1e-7);
 }
 
+TEST(Cvode, EndsAStepWhereItIsTold) {
+  Cvode solver(oscillator(), {1e-6, {1e-8, 1e-8}, 0.0});
+  solver.start(0.0, {1.0, 0.0});
+  while (solver.time() < 0.5) {
+    solver.stop_at(0.5);
+    solver.step();
+    EXPECT_LE(solver.time(), 0.5);
+  }
+  double y[2];
+  solver.state(0.5, y);
+  EXPECT_NEAR(y[0], std::cos(1.5), 1e-4);
+  solver.stop_at(INFINITY);
+  while (solver.time() < 2.0) solver.step();
+  solver.state(2.0, y);
+  EXPECT_NEAR(y[0], std::cos(6.0), 1e-3);
+}
+
 TEST(Cvode, CarriesSensitivitiesInsideItsErrorControl) {
   auto problem = oscillator();
   problem.parameters = 1;  // initial position

@@ -189,5 +189,18 @@ TEST_F(SideBySide, ARunThatFailsFailsAloneWithItsOwnWords) {
   EXPECT_EQ(all_of(outturns[2].result), alone_[1]);
 }
 
+TEST(Lanes, LeaveBrakesOnABogiesBeamToTheScalarCode) {
+  auto model = testing::foam_model("B747-400", testing::foam_bed(0.3));
+  Overrun overrun;
+  overrun.entry_speed = 30.0;
+  overrun.braking = 0.2;
+  Options options;
+  options.method = Method::fast;
+  const Errand errand{&model, &overrun, &options};
+  EXPECT_TRUE(fits_lanes(errand));
+  for (auto& gear : model.aircraft.gears) gear.brake_rods = false;
+  EXPECT_FALSE(fits_lanes(errand));
+}
+
 }  // namespace
 }  // namespace apc::simulation
