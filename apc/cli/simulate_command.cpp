@@ -246,7 +246,7 @@ void add_simulate(CLI::App& program, Settings& settings) {
       ->type_name("NUMBER");
   command
       ->add_option("--sensitivities", words->sensitivities,
-                   "derivatives of stop, exit speed and peaks by these inputs, or all of them")
+                   "derivatives of what the summary prints by these inputs, or all of them")
       ->type_name("LIST|all");
   command->add_option("--headwind", words->headwind, "along the runway (default \"0 kt\")")->type_name("SPEED");
   command
