@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "apc/base/require.h"
-#include "apc/learning/screen.h"
+#include "apc/learning/bounded_step.h"
+#include "apc/learning/shapes.h"
 
 namespace apc::learning {
 namespace {
@@ -94,19 +95,13 @@ Slope slope_at(const FreeRuns& f, const std::vector<Unknown>& unknowns, State he
   return slope;
 }
 
-/// The step to the foot of the slope; unknowns that it would carry over a bound are held there, by a stiff spring, and
-/// the others solved for again.
-Eigen::VectorXd bounded_step(const std::vector<Unknown>& unknowns, State here, Slope slope) {
-  Eigen::VectorXd step = slope.information.llt().solve(slope.gradient);
-  for (Eigen::Index i = 0; i < step.size(); ++i) {
+Eigen::VectorXd step_within(const std::vector<Unknown>& unknowns, State here, const Slope& slope) {
+  Eigen::VectorXd low(slope.gradient.size()), high(slope.gradient.size());
+  for (Eigen::Index i = 0; i < low.size(); ++i) {
     const Unknown& u = unknowns[static_cast<std::size_t>(i)];
-    const double value = here.value(u), there = std::clamp(value + step[i], u.low, u.high);
-    if (there == value + step[i]) continue;
-    const double spring = 1e8 * slope.information(i, i);
-    slope.information(i, i) += spring, slope.gradient[i] += spring * (there - value);
-    step = slope.information.llt().solve(slope.gradient);
+    low[i] = u.low - here.value(u), high[i] = u.high - here.value(u);
   }
-  return step;
+  return bounded_step(slope.information, slope.gradient, low, high);
 }
 
 }  // namespace
@@ -122,7 +117,7 @@ FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double st
   Slope slope;
   for (int round = 0; round < rounds; ++round) {
     slope = slope_at(f, unknowns, here, fit, count, use);
-    const Eigen::VectorXd step = bounded_step(unknowns, here, slope);
+    const Eigen::VectorXd step = step_within(unknowns, here, slope);
     const double before = fit.objective;
     bool fell = false;
     for (double share = 1.0; share > 0.2 && !fell; share *= 0.5) try {

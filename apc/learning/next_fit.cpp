@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
 #include "apc/base/units.h"
-#include "apc/learning/screen.h"
+#include "apc/learning/bounded_step.h"
+#include "apc/learning/shapes.h"
 
 namespace apc::learning {
 namespace {
@@ -181,21 +183,17 @@ std::array<double, 2> bounds(const effects::Parameter& p) {
   return {std::min(below, p.neutral), p.neutral + 2.0 * std::max(0.0, p.high - p.neutral)};
 }
 
-/// The step that solves `information` · step = `gradient`; amplitudes it would carry over a bound are held there, by a
-/// stiff spring, and the others solved for again.
-Eigen::VectorXd bounded_step(const Field& f, const Contender& c, Eigen::MatrixXd information,
-                             Eigen::VectorXd gradient) {
-  Eigen::VectorXd step = information.llt().solve(gradient);
+/// Amplitudes stay inside their ranges.
+Eigen::VectorXd step_within(const Field& f, const Contender& c, const Eigen::MatrixXd& information,
+                            const Eigen::VectorXd& gradient) {
+  const double none = std::numeric_limits<double>::infinity();
+  Eigen::VectorXd low = Eigen::VectorXd::Constant(gradient.size(), -none), high = -low;
   for (std::size_t k = 0; k < c.effects.size(); ++k) {
     const Eigen::Index i = f.globals() + static_cast<Eigen::Index>(k);
-    const auto [low, high] = bounds(c.effects[k].effect.parameters.front());
-    const double here = c.effects[k].values.front(), there = std::clamp(here + step[i], low, high);
-    if (there == here + step[i]) continue;
-    const double spring = 1e8 * information(i, i);
-    information(i, i) += spring, gradient[i] += spring * (there - here);
-    step = information.llt().solve(gradient);
+    const auto [lowest, highest] = bounds(c.effects[k].effect.parameters.front());
+    low[i] = lowest - c.effects[k].values.front(), high[i] = highest - c.effects[k].values.front();
   }
-  return step;
+  return bounded_step(information, gradient, low, high);
 }
 
 /// `from` moved; no unknown further than three deviations from what is known of it, amplitudes inside their ranges.
@@ -254,7 +252,7 @@ Fitted fit(const Field& f, const Training& t, const std::vector<Applied>& effect
     const Eigen::LLT<Eigen::MatrixXd> factor(information);
     result.covariance = factor.solve(Eigen::MatrixXd::Identity(information.rows(), information.rows()));
     if (round + 1 == rounds) break;  // the last round is for the covariance
-    const Eigen::VectorXd step = bounded_step(f, c, information, gradient);
+    const Eigen::VectorXd step = step_within(f, c, information, gradient);
     bool fell = false;
     for (double share = 1.0; share > 0.2 && !fell; share *= 0.5) {
       try {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "apc/learning/background.h"
+#include "apc/learning/shapes.h"
 
 namespace apc::learning {
 
@@ -29,19 +30,11 @@ struct Screen {
 /// motion.
 Screen screen(const Background&, const std::vector<effects::Effect>& effects, const Report&);
 
-/// Shapes worth trying for an effect where the longest run is this long (m): the amplitude is left at its neutral
-/// value.
-std::vector<effects::Applied> shapes_of(const effects::Effect&, double longest_way);
-
 /// Half the prior of an effect that is listed in other forms, too, goes to the catalogue's law, half to the others,
 /// evenly over their shapes.
 void share_shapes(std::vector<Hypothesis>&);
 
 /// Lower factor of σ² exp(−|i − j| spacing / length): the prior of what is learned at evenly spaced knots.
 Eigen::MatrixXd exponential_factor(Eigen::Index n, double spacing, double length, double deviation);
-
-/// Standard deviation of an amplitude's prior: its range is 95 %.
-double amplitude_deviation(const effects::Parameter&);
-bool amplitude_positive(const effects::Parameter&);
 
 }  // namespace apc::learning
