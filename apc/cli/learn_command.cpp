@@ -9,6 +9,7 @@
 #include "apc/base/units.h"
 #include "apc/cli/learn_inputs.h"
 #include "apc/effects/other_forms.h"
+#include "apc/learning/augment.h"
 #include "apc/learning/learn_page.h"
 #include "apc/learning/metrics.h"
 #include "apc/learning/overlay_json.h"
@@ -158,7 +159,7 @@ void add_to_model(const LearnWords& words, Settings& settings) {
   study.diagnosis.verdict = learning::Verdict::found;
   study.free.emplace().runs = learning::free_runs(data, words.threads);
   study.free->none = learning::fit_strength(study.free->runs);
-  learning::size_augmented(study);
+  learning::augment(study);
   std::vector<std::pair<learning::RunError, learning::RunError>> runs;
   for (const auto& one : study.held_out.runs) runs.emplace_back(one.before, one.after);
   const Comparison left_out = told(runs, true);
@@ -169,7 +170,11 @@ void add_to_model(const LearnWords& words, Settings& settings) {
   else
     say(settings, fmt::format("all runs: error {:.2f} -> {:.2f}\n", study.held_out.before, study.held_out.after));
   if (!study.held_out.helps() && !words.force) {
-    say(settings, "The error does not fall: refused. --force adds it all the same.\n");
+    say(settings, study.held_out.runs.empty()
+                      ? std::string("Nothing says that it helps: refused. --force adds it all the same.\n")
+                      : fmt::format("It must fall by {:.0f} % to be more than the scatter between {} runs: refused. "
+                                    "--force adds it all the same.\n",
+                                    100.0 * study.held_out.least_fall(), study.held_out.runs.size()));
     settings.exit_code = exit_code::not_met;
     return;
   }

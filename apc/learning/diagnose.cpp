@@ -6,13 +6,11 @@
 
 #include "apc/base/require.h"
 #include "apc/effects/other_forms.h"
+#include "apc/learning/augment.h"
 #include "apc/learning/verdict.h"
 
 namespace apc::learning {
 namespace {
-
-/// An effect that nothing but its success speaks for must lower the error of runs left out by so much.
-constexpr double least_fall_of_a_try = 0.1;
 
 /// What free runs say of every explanation. Of the pairs only the leading ones are fitted.
 void add_free(FreeEvidence& free, double temper, std::vector<Explanation>& list, const Report& report) {
@@ -34,26 +32,6 @@ void add_free(FreeEvidence& free, double temper, std::vector<Explanation>& list,
 }
 
 }  // namespace
-
-void size_augmented(Study& study) {
-  Diagnosis& d = study.diagnosis;
-  study.strength = study.free->none.strength;
-  if (d.augmented.empty()) return;
-  auto start = d.augmented;
-  if (const auto own = study.free->sets.find(ids_of(start)); own != study.free->sets.end())
-    start = own->second.fit.effects;
-  try {
-    const FreeFit fit = fit_free(study.free->runs, start, study.strength);
-    d.augmented = fit.effects, study.strength = fit.strength;
-    study.held_out = leave_one_out(study.free->runs, fit.effects, fit.strength);
-    if (d.tried) study.held_out.least_fall = least_fall_of_a_try;
-  } catch (const SolveError&) {
-    // The sizes of the screen stay; nothing says that they help.
-  }
-  if (!d.tried || study.held_out.helps()) return;
-  d.augmented.clear(), study.held_out = {};
-  study.strength = study.free->none.strength;
-}
 
 Study diagnose(const Case& data, const DiagnoseOptions& options) {
   const auto began = std::chrono::steady_clock::now();
@@ -169,7 +147,7 @@ Study diagnose(const Case& data, const DiagnoseOptions& options) {
   make_rivals(study.screen, singles, d);
   make_smallest(study.screen, singles, null, d);
   decide(d, study.along.has_value());
-  if (study.free) size_augmented(study);
+  if (study.free) augment(study);
   d.unexplained_share = 0.0;
   for (const Explanation& x : d.explanations)
     if (x.kind == Hypothesis::Kind::learned) d.unexplained_share += x.probability;

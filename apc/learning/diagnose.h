@@ -86,10 +86,6 @@ struct Study {
 
 Study diagnose(const Case&, const DiagnoseOptions&);
 
-/// Gives the effects of the diagnosis the sizes that free runs have them with, the strength fitted beside them, and
-/// what they do to runs left out. Needs `free`; sizes and strength stay where a fit cannot be simulated.
-void size_augmented(Study&);
-
 /// ∫ ΔF dx of one effect from entry to rest, at the states of the fitted motion, J.
 double work_of(const Background&, std::size_t run, const effects::Applied&);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "apc/base/require.h"
-#include "apc/learning/screen.h"
+#include "apc/learning/shapes.h"
 
 namespace apc::learning {
 namespace {
@@ -18,24 +18,7 @@ constexpr std::size_t most_fits = 14;
 /// runs, as the scatter from run to run does.
 constexpr double told_by_dates = 0.75;
 
-/// 1, or less for a law that knows the run only by the bed's age or temperature.
-double told_by(const Effect& effect) {
-  if (!effect.bed) return 1.0;
-  std::vector<double> values;
-  for (const auto& p : effect.parameters) values.push_back(p.usual);
-  effects::TireState state;
-  state.bed_distance = state.nose_distance = 20.0, state.speed = 20.0, state.bed_depth = 0.4, state.penetration = 0.2;
-  state.tire_width = 0.3, state.tire_radius = 0.5, state.density = 300.0, state.temperature = 293.15;
-  const auto strength = [&](double years, double temperature) {
-    state.years = years, state.temperature = temperature;
-    effects::TireChange change;
-    effect.bed(state, values, change);
-    return change.strength;
-  };
-  return strength(1.0, 293.15) != strength(9.0, 293.15) || strength(1.0, 273.15) != strength(1.0, 303.15)
-             ? told_by_dates
-             : 1.0;
-}
+double told_by(const Effect& effect) { return known_by_date(effect) ? told_by_dates : 1.0; }
 
 struct Promising {
   Applied shape;
@@ -106,6 +89,22 @@ std::optional<FreeSet> fitted(const FreeEvidence& e, const Promising& start) {
 }
 
 }  // namespace
+
+bool known_by_date(const Effect& effect) {
+  if (!effect.bed) return false;
+  std::vector<double> values;
+  for (const auto& p : effect.parameters) values.push_back(p.usual);
+  effects::TireState state;
+  state.bed_distance = state.nose_distance = 20.0, state.speed = 20.0, state.bed_depth = 0.4, state.penetration = 0.2;
+  state.tire_width = 0.3, state.tire_radius = 0.5, state.density = 300.0, state.temperature = 293.15;
+  const auto strength = [&](double years, double temperature) {
+    state.years = years, state.temperature = temperature;
+    effects::TireChange change;
+    effect.bed(state, values, change);
+    return change.strength;
+  };
+  return strength(1.0, 293.15) != strength(9.0, 293.15) || strength(1.0, 273.15) != strength(1.0, 303.15);
+}
 
 double FreeEvidence::of(const std::vector<std::string>& ids) const {
   const auto own = sets.find(ids);

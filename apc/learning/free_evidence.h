@@ -34,4 +34,7 @@ std::optional<FreeEvidence> weigh_free(const Case&, const std::vector<effects::E
 /// Fits two effects together, from their own fits where they have one. Pairs with joints are left out.
 void add_pair(FreeEvidence&, const std::vector<effects::Applied>&);
 
+/// Whether a law knows a run by the bed's age or temperature.
+bool known_by_date(const effects::Effect&);
+
 }  // namespace apc::learning

@@ -1,10 +1,15 @@
 #include "apc/learning/held_out.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "apc/base/require.h"
 
 namespace apc::learning {
+
+double HeldOut::least_fall() const {
+  return 1.0 - std::exp(-scatter_of_help / std::sqrt(static_cast<double>(std::max<std::size_t>(1, runs.size()))));
+}
 
 HeldOut leave_one_out(const FreeRuns& f, const std::vector<effects::Applied>& effects, double strength) {
   HeldOut result;

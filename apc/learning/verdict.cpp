@@ -128,14 +128,6 @@ void decide(Diagnosis& d, bool along) {
   for (const Claim& c : d.claims)
     if (c.probability >= 0.5 && d.verdict != Verdict::nothing && d.verdict != Verdict::sensor)
       d.augmented.push_back(c.applied);
-  // Which effect it is may be open, and yet one of them mend the runs: the likeliest is tried, and must prove itself.
-  if (d.augmented.empty() && (d.verdict == Verdict::ambiguous || d.verdict == Verdict::unexplained))
-    for (const Explanation& x : d.explanations)
-      if (x.fitted && !x.ids.empty() && x.kind == Hypothesis::Kind::effect) {
-        d.augmented = x.fit.effects;
-        d.tried = true;
-        break;
-      }
 }
 
 }  // namespace apc::learning

@@ -9,7 +9,7 @@ namespace {
 
 /// Prior odds against no effect. Chosen on cases with known truth, as the tempers of the two screens.
 constexpr double odds_effect = 0.5, odds_pair = 0.15, odds_sensor = 0.1, odds_learned = 0.02;
-constexpr double odds_effect_along = 2.0, odds_pair_along = 0.3, odds_sensor_along = 0.5;
+constexpr double odds_effect_along = 2.0, odds_pair_along = 0.2, odds_sensor_along = 0.5;
 /// A tire that loses its pressure at the same place in every run is a rare thing, and with its free place a flexible
 /// one.
 constexpr double odds_tire_loss = 0.1;
