@@ -123,7 +123,10 @@ void learn_case(const LearnWords& words, Settings& settings) {
   write_text(out / "diagnosis.json", learning::diagnosis_json(study));
   write_text(out / "report.html", learning::learn_page(study, plan ? &*plan : nullptr));
   learning::write_predictions(study, out / "held");
-  if (study.held_out.helps()) write_text(out / "model.json", learning::overlay_json(study, settings.command_line));
+  if (study.held_out.helps())
+    write_text(out / "model.json", learning::overlay_json(study, settings.command_line));
+  else
+    std::filesystem::remove(out / "model.json");  // of a former study: it would read like this one's
   if (!settings.json.empty()) write_text(settings.json, learning::diagnosis_json(study));
   say(settings, fmt::format("report: {}\n", (out / "report.html").string()));
   switch (study.diagnosis.verdict) {

@@ -34,7 +34,7 @@ TEST(EntrySpeed, IsTheLineOfThePavementAtTheEdge) {
 }
 
 TEST(EntrySpeed, IsWeighedAgainstTheRecordedOne) {
-  const Run run = rolled(-1.95, 0.1);
+  const auto run = rolled(-1.95, 0.1);
   const auto told = entry_speed_of_signal(run);
   const EntrySpeed both = entry_speed(run);
   const double share = 0.04 / (0.04 + told->deviation * told->deviation);
@@ -43,13 +43,13 @@ TEST(EntrySpeed, IsWeighedAgainstTheRecordedOne) {
 }
 
 TEST(EntrySpeed, ASignalThatContradictsOrSaysTooLittleIsLeftOut) {
-  Run run = rolled(-1.95, 0.1);
+  auto run = rolled(-1.95, 0.1);
   run.overrun.entry_speed = 31.5;
   EXPECT_EQ(entry_speed(run).value, 31.5) << "one of the two is at fault";
   EXPECT_FALSE(entry_speed_of_signal(rolled(-0.3, 0.1))) << "four readings";
   EXPECT_FALSE(entry_speed_of_signal(rolled(0.05, 0.1))) << "nothing before the bed";
   EXPECT_EQ(entry_speed(rolled(0.05, 0.1)).value, 30.2);
-  Run silent = run;
+  auto silent = run;
   silent.channels.clear();
   EXPECT_EQ(entry_speed(silent).deviation, 0.2);
 }

@@ -1,0 +1,86 @@
+// What is added to the model: claims with the sizes of free runs, tries that prove themselves on runs left out, and
+// nothing where nothing is said to be missing.
+#include "apc/learning/augment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apc/effects/catalogue.h"
+#include "tests/support/surveyed_runs.h"
+
+namespace apc::learning {
+namespace {
+
+effects::Applied law(const char* id, double size) {
+  return effects::applied(effects::find_effect(effects::catalogue(), id), size);
+}
+
+/// Four runs with an inertia hidden in them, weighed on free runs among three laws.
+struct Weighed {
+  Case data;
+  Study study;
+};
+std::unique_ptr<Weighed> weighed(Verdict verdict) {
+  auto w = std::make_unique<Weighed>();
+  testing::SurveyedRuns wanted;
+  wanted.speeds = {20.0, 26.0, 30.0, 34.0}, wanted.masses = {50000.0, 60000.0, 66000.0, 70000.0};
+  wanted.hidden = {law("inertial", 0.6)};
+  wanted.block_strength = 0.03, wanted.sinking = 1.0;
+  w->data = testing::surveyed_case(wanted);
+  std::vector<effects::Effect> laws;
+  for (const char* id : {"inertial", "slope", "temperature"})
+    laws.push_back(effects::find_effect(effects::catalogue(), id));
+  w->study.free = weigh_free(w->data, laws, 0, {});
+  w->study.diagnosis.verdict = verdict;
+  return w;
+}
+
+TEST(Augment, TriesWhatMendsFreeRunsWhereNothingIsClaimed) {
+  const auto w = weighed(Verdict::ambiguous);
+  augment(w->study);
+  ASSERT_EQ(w->study.diagnosis.augmented.size(), 1u);
+  EXPECT_TRUE(w->study.diagnosis.tried);
+  EXPECT_EQ(w->study.diagnosis.augmented.front().effect.id, "inertial");
+  EXPECT_NEAR(w->study.diagnosis.augmented.front().values.front(), 0.6, 0.1);
+  EXPECT_TRUE(w->study.held_out.helps());
+}
+
+TEST(Augment, AddsNothingWhereNothingIsSaidToBeMissing) {
+  const auto w = weighed(Verdict::nothing);
+  augment(w->study);
+  EXPECT_TRUE(w->study.diagnosis.augmented.empty());
+  EXPECT_FALSE(w->study.diagnosis.tried);
+  EXPECT_EQ(w->study.strength, w->study.free->none.strength);
+}
+
+TEST(Augment, AClaimThatDoesNotHelpStaysAClaimAndLeavesPredictionsAlone) {
+  const auto w = weighed(Verdict::found);
+  w->study.diagnosis.augmented = {law("temperature", 0.003)};
+  augment(w->study);
+  ASSERT_EQ(w->study.diagnosis.augmented.size(), 1u);
+  EXPECT_FALSE(w->study.diagnosis.tried);
+  EXPECT_FALSE(w->study.held_out.helps()) << w->study.held_out.before << " -> " << w->study.held_out.after;
+}
+
+TEST(Augment, WhatKnowsARunByItsDateIsNoTry) {
+  EXPECT_TRUE(known_by_date(effects::find_effect(effects::catalogue(), "ageing")));
+  EXPECT_TRUE(known_by_date(effects::find_effect(effects::catalogue(), "temperature")));
+  for (const char* id : {"inertial", "softening", "rate", "lock_up", "slope", "tire_loss"})
+    EXPECT_FALSE(known_by_date(effects::find_effect(effects::catalogue(), id))) << id;
+}
+
+TEST(HeldOut, TheErrorMustFallByMoreThanRunsScatter) {
+  HeldOut held;
+  held.runs.resize(6);
+  EXPECT_NEAR(held.least_fall(), 0.242, 0.001);
+  held.before = 4.0, held.after = 3.1;
+  EXPECT_FALSE(held.helps());
+  held.after = 3.0;
+  EXPECT_TRUE(held.helps());
+  held.runs.resize(2);
+  EXPECT_FALSE(held.helps()) << "two runs tell less";
+}
+
+}  // namespace
+}  // namespace apc::learning
