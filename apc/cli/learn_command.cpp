@@ -237,7 +237,7 @@ void add_learning(CLI::App& program, Settings& settings) {
       command("add", "adds what a diagnosis found to the model, as an overlay (experimental)");
   add->add_option("--from", add_words->from, "diagnosis.json")->required();
   add->add_option("-o,--out", add_words->out, "overlay to write");
-  add->add_flag("--force", add_words->force, "even when the error does not fall");
+  add->add_flag("--force", add_words->force, "even when the error of runs left out falls too little");
   add->callback([&settings, w = add_words] { add_to_model(*w, settings); });
 
   const auto [verify, verify_words] = command("verify", "does an overlay lower the error? exit 1 when not");

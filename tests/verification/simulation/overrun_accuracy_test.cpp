@@ -33,21 +33,15 @@ Options with(double rtol, Method method = Method::reference) {
 }
 
 TEST(EnergyAccount, ClosesWithTheTolerance) {
-  for (const auto *name : {"CRJ-200", "B737-800", "B747-400"}) {
-    const auto model =
-        testing::foam_model(name, testing::foam_bed(0.4572, 15.24, 600.0));
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
+    const auto model = testing::foam_model(name, testing::foam_bed(0.4572, 15.24, 600.0));
     std::printf("V5 energy residual %s:", name);
     for (const double rtol : {1e-4, 1e-6, 1e-8}) {
-      const double residual =
-          simulate(model, at(70, 0.25), with(rtol)).energy.at("residual");
+      const double residual = simulate(model, at(70, 0.25), with(rtol)).energy.at("residual");
       std::printf("  %.0e -> %.1e", rtol, residual);
-      EXPECT_LT(residual, rtol == 1e-4   ? 1e-3
-                          : rtol == 1e-6 ? 1e-5
-                                         : 1e-6)
-          << name << " " << rtol;
+      EXPECT_LT(residual, rtol == 1e-4 ? 1e-3 : rtol == 1e-6 ? 1e-5 : 1e-6) << name << " " << rtol;
     }
-    const double fast = simulate(model, at(70, 0.25), with(1e-6, Method::fast))
-                            .energy.at("residual");
+    const double fast = simulate(model, at(70, 0.25), with(1e-6, Method::fast)).energy.at("residual");
     std::printf("  fast %.1e\n", fast);
     EXPECT_LT(fast, 1e-4) << name;
   }
@@ -60,20 +54,13 @@ TEST(StopDistance, ConvergesWithTheTolerance) {
   const auto model = testing::foam_model("B737-800", testing::foam_bed(0.4572));
   for (const auto method : {Method::reference, Method::fast}) {
     double slope = 0.0;
-    std::printf("V8 stop distance 737, 52 to 80 kt, rms error, %s:",
-                method == Method::fast ? "fast" : "reference");
+    std::printf("V8 stop distance 737, 52 to 80 kt, rms error, %s:", method == Method::fast ? "fast" : "reference");
     std::array<double, 5> squares{};
     for (double knots = 52.0; knots <= 80.0; knots += 4.0) {
-      const double exact =
-          simulate(model, at(knots), with(1e-11)).stop_distance;
+      const double exact = simulate(model, at(knots), with(1e-11)).stop_distance;
       for (std::size_t decade = 0; decade < squares.size(); ++decade) {
         const double rtol = std::pow(10.0, -5.0 - static_cast<double>(decade));
-        squares[decade] +=
-            std::pow(
-                simulate(model, at(knots), with(rtol, method)).stop_distance -
-                    exact,
-                2) /
-            8.0;
+        squares[decade] += std::pow(simulate(model, at(knots), with(rtol, method)).stop_distance - exact, 2) / 8.0;
       }
     }
     for (std::size_t decade = 0; decade < squares.size(); ++decade) {
@@ -89,22 +76,14 @@ TEST(StopDistance, ConvergesWithTheTolerance) {
   }
 }
 
-TEST(StopDistance,
-     IsWithinAMillimetreAtTheDefaultToleranceForEveryAircraftAndMethod) {
-  for (const auto *name : {"CRJ-200", "B737-800", "B747-400"})
+TEST(StopDistance, IsWithinAMillimetreAtTheDefaultToleranceForEveryAircraftAndMethod) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"})
     for (const double depth : {0.25, 0.4572}) {
-      const auto model =
-          testing::foam_model(name, testing::foam_bed(depth, 15.24, 900.0));
-      const double exact =
-          simulate(model, at(70, 0.25), with(1e-10)).stop_distance;
-      const double reference =
-          simulate(model, at(70, 0.25), with(1e-6)).stop_distance - exact;
-      const double fast =
-          simulate(model, at(70, 0.25), with(1e-6, Method::fast))
-              .stop_distance -
-          exact;
-      std::printf("V9 %s %.2f m: reference %+.3f mm, fast %+.3f mm\n", name,
-                  depth, 1e3 * reference, 1e3 * fast);
+      const auto model = testing::foam_model(name, testing::foam_bed(depth, 15.24, 900.0));
+      const double exact = simulate(model, at(70, 0.25), with(1e-10)).stop_distance;
+      const double reference = simulate(model, at(70, 0.25), with(1e-6)).stop_distance - exact;
+      const double fast = simulate(model, at(70, 0.25), with(1e-6, Method::fast)).stop_distance - exact;
+      std::printf("V9 %s %.2f m: reference %+.3f mm, fast %+.3f mm\n", name, depth, 1e3 * reference, 1e3 * fast);
       EXPECT_LT(std::abs(reference), 1e-3) << name;
       EXPECT_LT(std::abs(fast), 1e-3) << name;
     }
@@ -112,45 +91,37 @@ TEST(StopDistance,
 
 /// A shipped bed and the shipped tables, lengthened until everything stops in
 /// it.
-Model shipped_model(const std::string &aircraft, const std::string &bed_name) {
+Model shipped_model(const std::string& aircraft, const std::string& bed_name) {
   auto plane = testing::shipped_aircraft(aircraft);
   auto bed = bed::load_bed(shipped("designs/beds/" + bed_name + ".json"));
   bed.distance.push_back(bed.distance.back() + 1500.0);
   bed.depth.push_back(bed.depth.back());
   std::vector<loadtables::LoadTable> tables;
-  for (const auto &[name, tire] : plane.tires)
-    tables.push_back(loadtables::load_table(
-        shipped("loadtables/data/" + name + "_foam_50psi.h5")));
+  for (const auto& [name, tire] : plane.tires)
+    tables.push_back(loadtables::load_table(shipped("loadtables/data/" + name + "_foam_50psi.h5")));
   return make_model(std::move(plane), std::move(bed), tables);
 }
 
-TEST(StopDistance,
-     OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed) {
-  for (const auto *name : {"CRJ-200", "B737-800", "B747-400"}) {
+TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
     double worst = 0.0, squares = 0.0;
     int runs = 0;
-    for (const auto *bed : {"emas_14in_50psi", "emas_18in_50psi",
-                            "emas_18in_50psi_raised", "emas_24in_50psi"}) {
+    for (const auto* bed : {"emas_14in_50psi", "emas_18in_50psi", "emas_18in_50psi_raised", "emas_24in_50psi"}) {
       const auto model = shipped_model(name, bed);
       for (double knots = 30.0; knots <= 80.0; knots += 10.0)
         for (const double braking : {0.0, 0.25}) {
           const auto overrun = at(knots, braking);
-          const double exact =
-              simulate(model, overrun, with(1e-9)).stop_distance;
-          const double error = std::abs(
-              simulate(model, overrun, with(1e-6, Method::fast)).stop_distance -
-              exact);
+          const double exact = simulate(model, overrun, with(1e-9)).stop_distance;
+          const double error = std::abs(simulate(model, overrun, with(1e-6, Method::fast)).stop_distance - exact);
           ++runs;
           worst = std::max(worst, error);
           squares += error * error;
-          EXPECT_LT(error, 1e-3)
-              << name << " " << bed << " " << knots << " kt, braked " << braking
-              << ", stop " << exact;
+          EXPECT_LT(error, 1e-3) << name << " " << bed << " " << knots << " kt, braked " << braking << ", stop "
+                                 << exact;
         }
     }
-    std::printf(
-        "V9 %s: %d runs against CVODE at 1e-9, worst %.2f mm, rms %.2f mm\n",
-        name, runs, 1e3 * worst, 1e3 * std::sqrt(squares / runs));
+    std::printf("V9 %s: %d runs against CVODE at 1e-9, worst %.2f mm, rms %.2f mm\n", name, runs, 1e3 * worst,
+                1e3 * std::sqrt(squares / runs));
   }
 }
 
@@ -158,20 +129,16 @@ TEST(StopDistance,
 /// own ruts behind its corner.
 TEST(StopDistance, WhereBogiesBounceInTheirRutsBothMethodsConvergeToTheSame) {
   const auto model = shipped_model("B747-400", "emas_18in_50psi_raised");
-  for (const auto &overrun : {at(70), at(80), at(80, 0.25)}) {
+  for (const auto& overrun : {at(70), at(80), at(80, 0.25)}) {
     const double exact = simulate(model, overrun, with(1e-10)).stop_distance;
-    std::printf("V9 raised, %.0f kt braked %.2f, %.3f m; reference:",
-                overrun.entry_speed / units::kt, overrun.braking, exact);
+    std::printf("V9 raised, %.0f kt braked %.2f, %.3f m; reference:", overrun.entry_speed / units::kt, overrun.braking,
+                exact);
     // Errors grow on the way by the factor below, so one run's may change sign;
     // each has to keep its decade.
     for (const double rtol : {1e-7, 1e-8, 1e-9}) {
-      const double reference =
-          simulate(model, overrun, with(rtol)).stop_distance - exact;
-      const double fast =
-          simulate(model, overrun, with(rtol, Method::fast)).stop_distance -
-          exact;
-      std::printf("  %.0e: %+.4f, fast %+.4f mm", rtol, 1e3 * reference,
-                  1e3 * fast);
+      const double reference = simulate(model, overrun, with(rtol)).stop_distance - exact;
+      const double fast = simulate(model, overrun, with(rtol, Method::fast)).stop_distance - exact;
+      std::printf("  %.0e: %+.4f, fast %+.4f mm", rtol, 1e3 * reference, 1e3 * fast);
       const double allowed = rtol > 5e-8 ? 0.5e-3 : rtol > 5e-9 ? 1e-4 : 3e-5;
       EXPECT_LT(std::abs(reference), allowed) << rtol;
       EXPECT_LT(std::abs(fast), allowed) << rtol;
@@ -183,7 +150,7 @@ TEST(StopDistance, WhereBogiesBounceInTheirRutsBothMethodsConvergeToTheSame) {
 TEST(StopDistance, MovesInProportionWithASmallChangeOfTheEntry) {
   // No chaos in the raised bed either: its stop answers like the level bed's,
   // and in proportion over two decades.
-  for (const auto *bed : {"emas_18in_50psi", "emas_18in_50psi_raised"}) {
+  for (const auto* bed : {"emas_18in_50psi", "emas_18in_50psi_raised"}) {
     const auto model = shipped_model("B747-400", bed);
     const auto options = with(1e-10, Method::fast);
     const auto stop = [&](double faster) {
@@ -197,8 +164,7 @@ TEST(StopDistance, MovesInProportionWithASmallChangeOfTheEntry) {
     for (const double faster : {1e-4, 1e-5, 1e-6}) {
       const double gain = (stop(faster) - base) / faster;
       std::printf("  %.0e m/s %.3f", faster, gain);
-      if (first == 0.0)
-        first = gain;
+      if (first == 0.0) first = gain;
       EXPECT_NEAR(gain, first, 0.1 * std::abs(first)) << bed << " " << faster;
     }
     std::printf("\n");
@@ -215,40 +181,35 @@ TEST(NarrowPieces, OfABedAreFeltByBothMethods) {
     return ribbed;
   };
   const auto run = [&](double height, double rtol, Method method) {
-    return simulate(testing::foam_model("B737-800", bed(height)), at(60),
-                    with(rtol, method));
+    return simulate(testing::foam_model("B737-800", bed(height)), at(60), with(rtol, method));
   };
   const auto plain = run(0.0, 1e-9, Method::reference);
   const auto exact = run(0.3, 1e-9, Method::reference);
-  const auto reference = run(0.3, 1e-6, Method::reference),
-             fast = run(0.3, 1e-6, Method::fast);
-  std::printf("rib of 20 mm: stop %+.2f mm; reference %+.3f, fast %+.3f mm of "
-              "that; nose vertical %.0f -> %.0f, %.0f, %.0f N\n",
-              1e3 * (exact.stop_distance - plain.stop_distance),
-              1e3 * (reference.stop_distance - exact.stop_distance),
-              1e3 * (fast.stop_distance - exact.stop_distance),
-              plain.gears[0].peak_vertical, exact.gears[0].peak_vertical,
-              reference.gears[0].peak_vertical, fast.gears[0].peak_vertical);
+  const auto reference = run(0.3, 1e-6, Method::reference), fast = run(0.3, 1e-6, Method::fast);
+  std::printf(
+      "rib of 20 mm: stop %+.2f mm; reference %+.3f, fast %+.3f mm of "
+      "that; nose vertical %.0f -> %.0f, %.0f, %.0f N\n",
+      1e3 * (exact.stop_distance - plain.stop_distance), 1e3 * (reference.stop_distance - exact.stop_distance),
+      1e3 * (fast.stop_distance - exact.stop_distance), plain.gears[0].peak_vertical, exact.gears[0].peak_vertical,
+      reference.gears[0].peak_vertical, fast.gears[0].peak_vertical);
   EXPECT_GT(exact.gears[0].peak_vertical, 1.2 * plain.gears[0].peak_vertical);
-  auto seen = with(1e-6); // with a history: instants of a grid, between which
-                          // the rib comes and goes
+  auto seen = with(1e-6);  // with a history: instants of a grid, between which
+                           // the rib comes and goes
   seen.sampling = 0.005;
   const auto model = testing::foam_model("B737-800", bed(0.3));
   const auto seen_reference = simulate(model, at(60), seen);
   seen.method = Method::fast;
-  for (const auto &each :
-       {reference, fast, seen_reference, simulate(model, at(60), seen)}) {
+  for (const auto& each : {reference, fast, seen_reference, simulate(model, at(60), seen)}) {
     EXPECT_NEAR(each.stop_distance, exact.stop_distance, 1e-3);
-    EXPECT_NEAR(each.gears[0].peak_vertical, exact.gears[0].peak_vertical,
-                0.02 * exact.gears[0].peak_vertical);
+    EXPECT_NEAR(each.gears[0].peak_vertical, exact.gears[0].peak_vertical, 0.02 * exact.gears[0].peak_vertical);
   }
 }
 
 /// On pavement with friction and damping taken out, so that a disturbance rings
 /// on.
-Model ringing_model(const std::string &name) {
+Model ringing_model(const std::string& name) {
   auto model = testing::foam_model(name, testing::pavement());
-  for (auto &gear : model.aircraft.gears) {
+  for (auto& gear : model.aircraft.gears) {
     gear.strut.friction = gear.strut.bearing_friction = 0.0;
     gear.strut.damping_compression = gear.strut.damping_rebound = 0.0;
   }
@@ -260,7 +221,7 @@ enum class Wheels { leave_out, spin_along };
 
 /// Frequencies (Hz) of its rigid-body modes: eigenvalues of the Jacobian.
 /// Wheels that spin along add their inertia to the fore-and-aft part of a mode.
-std::vector<double> frequencies(const std::string &name, Wheels wheels) {
+std::vector<double> frequencies(const std::string& name, Wheels wheels) {
   const auto model = ringing_model(name);
   const auto overrun = at(30);
   const auto plant = make_plant(model, overrun);
@@ -273,54 +234,49 @@ std::vector<double> frequencies(const std::string &name, Wheels wheels) {
   const int size = wheels == Wheels::spin_along ? n : 2 * m;
   Eigen::MatrixXd a(size, size);
   for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j)
-      a(i, j) = matrix[static_cast<std::size_t>(i * n + j)];
+    for (int j = 0; j < size; ++j) a(i, j) = matrix[static_cast<std::size_t>(i * n + j)];
   std::vector<double> found;
   const auto eigenvalues = a.eigenvalues();
   for (int i = 0; i < eigenvalues.size(); ++i)
-    if (eigenvalues[i].imag() > 0.5)
-      found.push_back(eigenvalues[i].imag() / (2 * std::numbers::pi));
+    if (eigenvalues[i].imag() > 0.5) found.push_back(eigenvalues[i].imag() / (2 * std::numbers::pi));
   std::sort(found.begin(), found.end());
   return found;
 }
 
 TEST(Modes, HeaveAndPitchMatchTheUncoupledFormula) {
-  for (const auto *name : {"CRJ-200", "B737-800", "B747-400"}) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
     const auto plane = testing::shipped_aircraft(name);
     const auto stand = aircraft::static_stand(plane);
     double heave = 0.0, pitch = 0.0;
     for (std::size_t g = 0; g < plane.gears.size(); ++g) {
-      const auto &gear = plane.gears[g];
-      const auto &strut = gear.strut;
+      const auto& gear = plane.gears[g];
+      const auto& strut = gear.strut;
       const double length = strut.extended_gas_volume / strut.piston_area;
-      const double gas =
-          (stand.gears[g].strut_force + 101325.0 * strut.piston_area) *
-          strut.polytropic_exponent / (length - stand.gears[g].stroke);
-      const double tire = plane.tires.at(gear.tire).load_curve.slope(
-                              stand.gears[g].tire_deflection) *
-                          gear.wheels() / gear.struts;
+      const double gas = (stand.gears[g].strut_force + 101325.0 * strut.piston_area) * strut.polytropic_exponent /
+                         (length - stand.gears[g].stroke);
+      const double tire =
+          plane.tires.at(gear.tire).load_curve.slope(stand.gears[g].tire_deflection) * gear.wheels() / gear.struts;
       const double series = gear.struts / (1.0 / gas + 1.0 / tire);
       heave += series;
-      pitch += series *
-               std::pow(gear.behind_nose_gear - plane.cg_behind_nose_gear, 2);
+      pitch += series * std::pow(gear.behind_nose_gear - plane.cg_behind_nose_gear, 2);
     }
     const double two_pi = 2 * std::numbers::pi;
     const double f_heave = std::sqrt(heave / plane.mass) / two_pi,
                  f_pitch = std::sqrt(pitch / plane.pitch_inertia) / two_pi;
     const auto modes = frequencies(name, Wheels::leave_out);
     ASSERT_GE(modes.size(), 2u) << name;
-    const double low = std::min(f_heave, f_pitch),
-                 high = std::max(f_heave, f_pitch);
-    std::printf("V7 modes %s: %.3f and %.3f Hz; uncoupled formula pitch %.3f, "
-                "heave %.3f Hz\n",
-                name, modes[0], modes[1], f_pitch, f_heave);
+    const double low = std::min(f_heave, f_pitch), high = std::max(f_heave, f_pitch);
+    std::printf(
+        "V7 modes %s: %.3f and %.3f Hz; uncoupled formula pitch %.3f, "
+        "heave %.3f Hz\n",
+        name, modes[0], modes[1], f_pitch, f_heave);
     EXPECT_NEAR(modes[0], low, 0.1 * low) << name;
     EXPECT_NEAR(modes[1], high, 0.1 * high) << name;
   }
 }
 
 TEST(Modes, AMillimetreOfFreeDecayRingsAtTheEigenvalues) {
-  for (const auto *name : {"CRJ-200", "B737-800", "B747-400"}) {
+  for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
     const auto model = ringing_model(name);
     const auto overrun = at(60);
     const auto plant = make_plant(model, overrun);
@@ -332,36 +288,28 @@ TEST(Modes, AMillimetreOfFreeDecayRingsAtTheEigenvalues) {
     auto y = trim(plant, 30.0).state;
     y[1] += 1e-3;
     const std::size_t states = y.size();
-    std::vector<double> k1(states), k2(states), k3(states), k4(states),
-        at_stage(states), signal;
-    const auto stage = [&](const std::vector<double> &k, double h) {
-      for (std::size_t i = 0; i < states; ++i)
-        at_stage[i] = y[i] + h * k[i];
+    std::vector<double> k1(states), k2(states), k3(states), k4(states), at_stage(states), signal;
+    const auto stage = [&](const std::vector<double>& k, double h) {
+      for (std::size_t i = 0; i < states; ++i) at_stage[i] = y[i] + h * k[i];
       return at_stage.data();
     };
     for (int i = 0; i < static_cast<int>(duration / dt); ++i) {
-      if (i % 40 == 0)
-        signal.push_back(y[1] + 5.0 * y[2]);
+      if (i % 40 == 0) signal.push_back(y[1] + 5.0 * y[2]);
       derivatives(plant, around, 0.0, y.data(), k1.data());
       derivatives(plant, around, 0.0, stage(k1, 0.5 * dt), k2.data());
       derivatives(plant, around, 0.0, stage(k2, 0.5 * dt), k3.data());
       derivatives(plant, around, 0.0, stage(k3, dt), k4.data());
-      for (std::size_t j = 0; j < states; ++j)
-        y[j] += dt / 6.0 * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]);
+      for (std::size_t j = 0; j < states; ++j) y[j] += dt / 6.0 * (k1[j] + 2.0 * (k2[j] + k3[j]) + k4[j]);
     }
     double mean = 0.0;
-    for (const double each : signal)
-      mean += each / static_cast<double>(signal.size());
+    for (const double each : signal) mean += each / static_cast<double>(signal.size());
     // Fourier sums under a Hann window on a fine grid of frequencies; their
     // peaks near the eigenvalues.
     const auto amplitude = [&](double frequency) {
       std::complex<double> sum = 0.0;
       for (std::size_t i = 0; i < signal.size(); ++i) {
-        const double share = static_cast<double>(i) /
-                             static_cast<double>(signal.size()),
-                     t = share * duration;
-        sum += (signal[i] - mean) *
-               (1.0 - std::cos(2 * std::numbers::pi * share)) *
+        const double share = static_cast<double>(i) / static_cast<double>(signal.size()), t = share * duration;
+        sum += (signal[i] - mean) * (1.0 - std::cos(2 * std::numbers::pi * share)) *
                std::polar(1.0, -2 * std::numbers::pi * frequency * t);
       }
       return std::abs(sum);
@@ -370,14 +318,13 @@ TEST(Modes, AMillimetreOfFreeDecayRingsAtTheEigenvalues) {
     for (std::size_t k = 0; k < 2; ++k) {
       double found = 0.0, largest = 0.0;
       for (double f = 0.9 * modes[k]; f < 1.1 * modes[k]; f += 2e-4)
-        if (const double a = amplitude(f); a > largest)
-          largest = a, found = f;
-      std::printf("V7 free decay %s: %.4f Hz, eigenvalue %.4f Hz (%+.2f %%)\n",
-                  name, found, modes[k], 100.0 * (found / modes[k] - 1.0));
+        if (const double a = amplitude(f); a > largest) largest = a, found = f;
+      std::printf("V7 free decay %s: %.4f Hz, eigenvalue %.4f Hz (%+.2f %%)\n", name, found, modes[k],
+                  100.0 * (found / modes[k] - 1.0));
       EXPECT_NEAR(found, modes[k], 0.005 * modes[k]) << name;
     }
   }
 }
 
-} // namespace
-} // namespace apc::simulation
+}  // namespace
+}  // namespace apc::simulation
