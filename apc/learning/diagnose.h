@@ -62,7 +62,7 @@ struct Diagnosis {
   std::string learned;  ///< what a learned force depends on; empty
   std::vector<NextRun> next;
   std::vector<effects::Applied> augmented;  ///< what `add` would add
-  bool tried = false;                       ///< `augmented` is the likeliest of several, not a claim
+  bool tried = false;                       ///< `augmented` proved itself on runs left out, and is no claim
   double seconds = 0.0;
 };
 

@@ -36,7 +36,7 @@ struct RunError {
   double total = 0.0;  ///< root mean square of the normalised errors of speed, acceleration_x and stop
 };
 
-/// A free run of the model against the data. `entry_deviation`: m/s, for u_input of the stop.
+/// A free run of the model against the data.
 RunError compare(const Case&, const Layout&, std::size_t r, const Run&, const Eigen::VectorXd& eta,
                  const std::vector<effects::Applied>&);
 
