@@ -5,25 +5,17 @@
 
 #include "apc/base/require.h"
 #include "apc/simulation/overrun_run.h"
-#include "tests/support/simulation_models.h"
+#include "tests/support/shipped_models.h"
 
 namespace apc::simulation {
 namespace {
-
-Model shipped_in(const std::string& aircraft, double depth) {
-  auto plane = testing::shipped_aircraft(aircraft);
-  std::vector<loadtables::LoadTable> tables;
-  for (const auto& [name, tire] : plane.tires)
-    tables.push_back(loadtables::load_table(shipped("loadtables/data/" + name + "_foam_50psi.h5")));
-  return make_model(std::move(plane), testing::foam_bed(depth), tables);
-}
 
 TEST(DeepBeds, EveryOverrunEndsAsAnOutcomeWithRutsThatFitIntoTheBed) {
   int runs = 0, stopped = 0, over = 0, failed = 0;
   for (const auto* name : {"CRJ-200", "B727-100", "B737-800", "B747-400"})
     for (const double inches : {9.0, 14.0, 18.0, 24.0, 30.0, 36.0}) {
       const double depth = inches * units::in;
-      const auto model = shipped_in(name, depth);
+      const auto model = testing::shipped_model(name, testing::foam_bed(depth));
       for (const double knots : {30.0, 50.0, 70.0})
         for (const double braking : {0.0, 0.25})
           for (const auto method : {Method::reference, Method::fast}) {

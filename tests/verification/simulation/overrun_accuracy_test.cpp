@@ -1,5 +1,5 @@
-/// How far the numbers of an overrun are from the solution of its own
-/// equations: energy, tolerance, solver, table, modes.
+/// How far the numbers of an overrun are from the solution of its own equations: energy, tolerance, solver, table,
+/// modes.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -12,7 +12,7 @@
 #include "aircraft/static_stand.h"
 #include "apc/simulation/overrun_run.h"
 #include "apc/simulation/trim.h"
-#include "tests/support/simulation_models.h"
+#include "tests/support/shipped_models.h"
 
 namespace apc::simulation {
 namespace {
@@ -48,9 +48,8 @@ TEST(EnergyAccount, ClosesWithTheTolerance) {
 }
 
 TEST(StopDistance, ConvergesWithTheTolerance) {
-  // One run's error changes sign on its way down; the root mean square over
-  // eight entry speeds does not hide that. Least-squares slope of its logarithm
-  // against the tolerance's, over four decades.
+  // One run's error changes sign on its way down; the root mean square over eight entry speeds does not hide that.
+  // Least-squares slope of its logarithm against the tolerance's, over four decades.
   const auto model = testing::foam_model("B737-800", testing::foam_bed(0.4572));
   for (const auto method : {Method::reference, Method::fast}) {
     double slope = 0.0;
@@ -89,25 +88,12 @@ TEST(StopDistance, IsWithinAMillimetreAtTheDefaultToleranceForEveryAircraftAndMe
     }
 }
 
-/// A shipped bed and the shipped tables, lengthened until everything stops in
-/// it.
-Model shipped_model(const std::string& aircraft, const std::string& bed_name) {
-  auto plane = testing::shipped_aircraft(aircraft);
-  auto bed = bed::load_bed(shipped("designs/beds/" + bed_name + ".json"));
-  bed.distance.push_back(bed.distance.back() + 1500.0);
-  bed.depth.push_back(bed.depth.back());
-  std::vector<loadtables::LoadTable> tables;
-  for (const auto& [name, tire] : plane.tires)
-    tables.push_back(loadtables::load_table(shipped("loadtables/data/" + name + "_foam_50psi.h5")));
-  return make_model(std::move(plane), std::move(bed), tables);
-}
-
 TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed) {
   for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
     double worst = 0.0, squares = 0.0;
     int runs = 0;
     for (const auto* bed : {"emas_14in_50psi", "emas_18in_50psi", "emas_18in_50psi_raised", "emas_24in_50psi"}) {
-      const auto model = shipped_model(name, bed);
+      const auto model = testing::shipped_model(name, bed);
       for (double knots = 30.0; knots <= 80.0; knots += 10.0)
         for (const double braking : {0.0, 0.25}) {
           const auto overrun = at(knots, braking);
@@ -125,16 +111,14 @@ TEST(StopDistance, OfTheFastPathIsWithinAMillimetreOnEveryShippedBedAtEverySpeed
   }
 }
 
-/// What bounces most: bogies that climb the raised bed's ramp and meet their
-/// own ruts behind its corner.
+/// What bounces most: bogies that climb the raised bed's ramp and meet their own ruts behind its corner.
 TEST(StopDistance, WhereBogiesBounceInTheirRutsBothMethodsConvergeToTheSame) {
-  const auto model = shipped_model("B747-400", "emas_18in_50psi_raised");
+  const auto model = testing::shipped_model("B747-400", "emas_18in_50psi_raised");
   for (const auto& overrun : {at(70), at(80), at(80, 0.25)}) {
     const double exact = simulate(model, overrun, with(1e-10)).stop_distance;
     std::printf("V9 raised, %.0f kt braked %.2f, %.3f m; reference:", overrun.entry_speed / units::kt, overrun.braking,
                 exact);
-    // Errors grow on the way by the factor below, so one run's may change sign;
-    // each has to keep its decade.
+    // Errors grow on the way by the factor below, so one run's may change sign; each has to keep its decade.
     for (const double rtol : {1e-7, 1e-8, 1e-9}) {
       const double reference = simulate(model, overrun, with(rtol)).stop_distance - exact;
       const double fast = simulate(model, overrun, with(rtol, Method::fast)).stop_distance - exact;
@@ -148,10 +132,9 @@ TEST(StopDistance, WhereBogiesBounceInTheirRutsBothMethodsConvergeToTheSame) {
 }
 
 TEST(StopDistance, MovesInProportionWithASmallChangeOfTheEntry) {
-  // No chaos in the raised bed either: its stop answers like the level bed's,
-  // and in proportion over two decades.
+  // No chaos in the raised bed either: its stop answers like the level bed's, and in proportion over two decades.
   for (const auto* bed : {"emas_18in_50psi", "emas_18in_50psi_raised"}) {
-    const auto model = shipped_model("B747-400", bed);
+    const auto model = testing::shipped_model("B747-400", bed);
     const auto options = with(1e-10, Method::fast);
     const auto stop = [&](double faster) {
       auto overrun = at(70);
@@ -172,8 +155,7 @@ TEST(StopDistance, MovesInProportionWithASmallChangeOfTheEntry) {
 }
 
 TEST(NarrowPieces, OfABedAreFeltByBothMethods) {
-  // A rib of 20 mm on the base, a third of a millisecond at 60 kt: the
-  // reference's steps used to pass over it.
+  // A rib of 20 mm on the base, a third of a millisecond at 60 kt: the reference's steps used to pass over it.
   const auto bed = [](double height) {
     auto ribbed = testing::foam_bed(0.4572, 15.24, 400.0);
     ribbed.distance = {0.0, 15.24, 30.0, 30.01, 30.02, 400.0};
@@ -187,14 +169,12 @@ TEST(NarrowPieces, OfABedAreFeltByBothMethods) {
   const auto exact = run(0.3, 1e-9, Method::reference);
   const auto reference = run(0.3, 1e-6, Method::reference), fast = run(0.3, 1e-6, Method::fast);
   std::printf(
-      "rib of 20 mm: stop %+.2f mm; reference %+.3f, fast %+.3f mm of "
-      "that; nose vertical %.0f -> %.0f, %.0f, %.0f N\n",
+      "rib of 20 mm: stop %+.2f mm; reference %+.3f, fast %+.3f mm of that; nose vertical %.0f -> %.0f, %.0f, %.0f N\n",
       1e3 * (exact.stop_distance - plain.stop_distance), 1e3 * (reference.stop_distance - exact.stop_distance),
       1e3 * (fast.stop_distance - exact.stop_distance), plain.gears[0].peak_vertical, exact.gears[0].peak_vertical,
       reference.gears[0].peak_vertical, fast.gears[0].peak_vertical);
   EXPECT_GT(exact.gears[0].peak_vertical, 1.2 * plain.gears[0].peak_vertical);
-  auto seen = with(1e-6);  // with a history: instants of a grid, between which
-                           // the rib comes and goes
+  auto seen = with(1e-6);  // with a history: instants of a grid, between which the rib comes and goes
   seen.sampling = 0.005;
   const auto model = testing::foam_model("B737-800", bed(0.3));
   const auto seen_reference = simulate(model, at(60), seen);
@@ -205,8 +185,7 @@ TEST(NarrowPieces, OfABedAreFeltByBothMethods) {
   }
 }
 
-/// On pavement with friction and damping taken out, so that a disturbance rings
-/// on.
+/// On pavement with friction and damping taken out, so that a disturbance rings on.
 Model ringing_model(const std::string& name) {
   auto model = testing::foam_model(name, testing::pavement());
   for (auto& gear : model.aircraft.gears) {
@@ -219,8 +198,8 @@ Model ringing_model(const std::string& name) {
 
 enum class Wheels { leave_out, spin_along };
 
-/// Frequencies (Hz) of its rigid-body modes: eigenvalues of the Jacobian.
-/// Wheels that spin along add their inertia to the fore-and-aft part of a mode.
+/// Frequencies (Hz) of its rigid-body modes: eigenvalues of the Jacobian. Wheels that spin along add their inertia to
+/// the fore-and-aft part of a mode.
 std::vector<double> frequencies(const std::string& name, Wheels wheels) {
   const auto model = ringing_model(name);
   const auto overrun = at(30);
@@ -266,10 +245,8 @@ TEST(Modes, HeaveAndPitchMatchTheUncoupledFormula) {
     const auto modes = frequencies(name, Wheels::leave_out);
     ASSERT_GE(modes.size(), 2u) << name;
     const double low = std::min(f_heave, f_pitch), high = std::max(f_heave, f_pitch);
-    std::printf(
-        "V7 modes %s: %.3f and %.3f Hz; uncoupled formula pitch %.3f, "
-        "heave %.3f Hz\n",
-        name, modes[0], modes[1], f_pitch, f_heave);
+    std::printf("V7 modes %s: %.3f and %.3f Hz; uncoupled formula pitch %.3f, heave %.3f Hz\n", name, modes[0],
+                modes[1], f_pitch, f_heave);
     EXPECT_NEAR(modes[0], low, 0.1 * low) << name;
     EXPECT_NEAR(modes[1], high, 0.1 * high) << name;
   }
@@ -282,8 +259,7 @@ TEST(Modes, AMillimetreOfFreeDecayRingsAtTheEigenvalues) {
     const auto plant = make_plant(model, overrun);
     Surroundings around;
     around.ruts.resize(plant.rows.size());
-    // Half a minute by Runge–Kutta 4: the height of a point ahead of the centre
-    // of gravity sees heave and pitch.
+    // Half a minute by Runge–Kutta 4: the height of a point ahead of the centre of gravity sees heave and pitch.
     constexpr double dt = 2.5e-4, duration = 30.0;
     auto y = trim(plant, 30.0).state;
     y[1] += 1e-3;
@@ -303,8 +279,7 @@ TEST(Modes, AMillimetreOfFreeDecayRingsAtTheEigenvalues) {
     }
     double mean = 0.0;
     for (const double each : signal) mean += each / static_cast<double>(signal.size());
-    // Fourier sums under a Hann window on a fine grid of frequencies; their
-    // peaks near the eigenvalues.
+    // Fourier sums under a Hann window on a fine grid of frequencies; their peaks near the eigenvalues.
     const auto amplitude = [&](double frequency) {
       std::complex<double> sum = 0.0;
       for (std::size_t i = 0; i < signal.size(); ++i) {

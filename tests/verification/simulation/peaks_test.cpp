@@ -5,17 +5,15 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tests/support/simulation_models.h"
+#include "tests/support/shipped_models.h"
 
 namespace apc::simulation {
 namespace {
 
 TEST(PeaksWithoutHistory, MissLittle) {
   for (const auto* name : {"CRJ-200", "B737-800", "B747-400"}) {
-    auto plane = testing::shipped_aircraft(name);
-    std::vector<loadtables::LoadTable> tables;
-    for (const auto& [tire, each] : plane.tires)
-      tables.push_back(loadtables::load_table(shipped("loadtables/data/" + tire + "_foam_50psi.h5")));
+    const auto plane = testing::shipped_aircraft(name);
+    const auto tables = testing::shipped_tables(plane);
     double deceleration = 0.0, drag = 0.0, vertical = 0.0;
     for (const double inches : {14.0, 18.0, 24.0}) {
       const auto model = make_model(plane, testing::foam_bed(inches * units::in), tables);

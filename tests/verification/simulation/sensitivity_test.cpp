@@ -8,6 +8,7 @@
 
 #include "apc/base/require.h"
 #include "tests/support/differences.h"
+#include "tests/support/shipped_models.h"
 
 namespace apc::simulation {
 namespace {
@@ -18,18 +19,6 @@ Overrun at_70() {
   Overrun overrun;
   overrun.entry_speed = 70 * units::kt;
   return overrun;
-}
-
-/// A shipped bed and the shipped tables, lengthened until everything stops in it.
-Model shipped_model(const std::string& aircraft, const std::string& bed_name) {
-  auto plane = testing::shipped_aircraft(aircraft);
-  auto bed = bed::load_bed(shipped("designs/beds/" + bed_name + ".json"));
-  bed.distance.push_back(bed.distance.back() + 1500.0);
-  bed.depth.push_back(bed.depth.back());
-  std::vector<loadtables::LoadTable> tables;
-  for (const auto& [name, tire] : plane.tires)
-    tables.push_back(loadtables::load_table(shipped("loadtables/data/" + name + "_foam_50psi.h5")));
-  return make_model(std::move(plane), std::move(bed), tables);
 }
 
 Options tight() {
@@ -109,7 +98,7 @@ TEST(CarriedSensitivity, OfEveryScalarWhereBogiesBounceInTheirRuts) {
   // Peaks at the ramp's corner, at the corners of ruts, and where ruts begin to yield. What is left out swings at rest.
   const std::vector<std::string> at_rest{"energy kinetic_left", "energy potential", "energy oleo_gas"};
   for (const auto* bed : {"emas_18in_50psi", "emas_18in_50psi_raised"})
-    expect_all(shipped_model("B747-400", bed), at_70(), parameters::entry_speed(), 2e-2, 0.02, 1e-4, at_rest);
+    expect_all(testing::shipped_model("B747-400", bed), at_70(), parameters::entry_speed(), 2e-2, 0.02, 1e-4, at_rest);
 }
 
 TEST(CarriedSensitivity, OfAPeakAtTheCornerOfARamp) {

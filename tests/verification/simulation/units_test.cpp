@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/support/simulation_models.h"
+#include "tests/support/shipped_models.h"
 
 namespace apc::simulation {
 namespace {
@@ -127,16 +127,13 @@ TEST(Units, DecksInTheOtherSystemGiveTheSameStop) {
       if (a[i] != 0.0) worst = std::max(worst, std::abs(b[i] / a[i] - 1.0));
     }
     const auto stop = [&](const Decks& of) {
-      std::vector<loadtables::LoadTable> tables;
-      for (const auto& gear : of.plane.gears)
-        tables.push_back(loadtables::load_table(shipped("loadtables/data/" + gear.tire + "_foam_50psi.h5")));
       Overrun overrun;
       overrun.entry_speed = 60 * units::kt;
       overrun.braking = 0.25;
       Options options;
       options.rtol = 1e-8;
       options.sampling = 0.0;
-      return simulate(make_model(of.plane, of.bed, tables), overrun, options).stop_distance;
+      return simulate(make_model(of.plane, of.bed, testing::shipped_tables(of.plane)), overrun, options).stop_distance;
     };
     const double metres = stop(shipped_decks), same = stop(other);
     std::printf("V12 %s: inputs within %.1e, stop %.6f m within %.1e m\n", name, worst, metres,
