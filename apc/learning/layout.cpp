@@ -8,8 +8,6 @@
 namespace apc::learning {
 namespace {
 
-// A delay has root mean square `lag` and is half-normal: mean 0.80 lag, deviation 0.60 lag.
-constexpr double lag_deviation = 0.603;
 // The response to sinking is derived for a rigid wheel; a tire flattens.
 constexpr double sinking_deviation = 0.4, sinking_drag_deviation = 0.3;
 constexpr double drag_deviation = 0.08, cg_height_deviation = 0.02;

@@ -27,8 +27,8 @@ struct Scatter {
 /// m/s, for drag, then for vertical load.
 inline constexpr Eigen::Index table_numbers = 12;
 
-/// Mean of a half-normal delay, in units of its root mean square.
-inline constexpr double mean_lag = 0.798;
+/// A delay is half-normal: its mean and its deviation, in units of its root mean square.
+inline constexpr double mean_lag = 0.798, lag_deviation = 0.603;
 
 struct RunLayout {
   Eigen::Index entry_speed = 0, mass = 0, cg = 0, inertia = 0, wind = 0, clock = 0, shift = 0, stretch = 0;

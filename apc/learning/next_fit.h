@@ -2,8 +2,8 @@
 /// then depends on: the linear Gaussian model between unknowns and numbers.
 #pragma once
 
+#include "apc/learning/feature_noise.h"
 #include "apc/learning/next_run.h"
-#include "apc/learning/segments.h"
 
 namespace apc::learning {
 

@@ -16,6 +16,11 @@ struct Feature {
   std::size_t segment = 0;  ///< all but stop and exit
 };
 
+/// Half the time over which the speed at an edge is read, s.
+inline constexpr double edge_window = 0.3;
+/// Share of the way that is divided into segments; the rest is rolled at walking speed, below the tables.
+inline constexpr double rolled_share = 0.9;
+
 /// Segments and the numbers read in them. `edge`: places of the nose wheel from the leading edge, m; the first segment
 /// lies before the bed, where slope, thrust and aerodynamics act alone.
 struct Segments {
@@ -33,18 +38,5 @@ Segments make_segments(const Run&, double way);
 Eigen::VectorXd measured_features(const Run&, const Segments&);
 /// The numbers of a simulated run.
 Eigen::VectorXd simulated_features(const Run&, const Segments&, const Trace&, const aircraft::Aircraft&);
-
-/// How blocks and the model's own errors are spread; shares of the load, memory in s.
-struct SegmentErrors {
-  double block_strength = 0.08, correlation = 2.4;  ///< of the logarithm; m
-  double lateral = 0.3;                             ///< correlation of nose and main tracks
-  double drag = 0.06, nose_drag = 0.10;             ///< as AlongNoise: what steady tables leave open
-  double memory = 0.4, rut = 0.006;                 ///< s; m
-};
-
-/// Covariance of the numbers from the instruments, the blocks and the model's errors. `trace`: the run; `by_strength`:
-/// change of the numbers with the logarithm of the bed's strength.
-Eigen::MatrixXd feature_noise(const Run&, const Segments&, const Trace&, const Eigen::VectorXd& value,
-                              const Eigen::VectorXd& by_strength, const SegmentErrors&);
 
 }  // namespace apc::learning

@@ -1,9 +1,12 @@
-// Means over segments of runs whose motion is known in closed form.
+// Means over segments of runs whose motion is known in closed form, and how far they may be off.
 #include "apc/learning/segments.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+
+#include "apc/learning/feature_noise.h"
 
 namespace apc::learning {
 namespace {
@@ -43,7 +46,7 @@ Run recorded(double speed_noise, double acceleration_noise) {
   run.overrun.entry_speed = entry;
   run.channels = {channel(Quantity::speed, speed_noise), channel(Quantity::acceleration_x, acceleration_noise)};
   run.stop = way;
-  run.stop_noise = 0.3;
+  run.stop_noise = 0.3, run.uncertainty.clock = 0.0;
   return run;
 }
 
@@ -111,6 +114,58 @@ TEST(Segments, AnErrorOfTheForceReachesTheStop) {
   const auto noise = feature_noise(run, s, constant_stop(), value, by_strength, blocks);
   const auto last = value.size() - 1;
   EXPECT_NEAR(std::sqrt(noise(last, last) - 0.09), 0.1 * way, 0.01 * way);
+}
+
+/// A bed whose drag grows along the way, a = k s: s = (v₀ / √k) sin √k t until the stop.
+Trace growing_stop(double k) {
+  Trace trace;
+  auto& h = trace.result.history;
+  h.gears.resize(2);
+  const double rate = std::sqrt(k);
+  for (double t = -1.0; t <= 0.5 * M_PI / rate; t += 0.001) {
+    const bool bed = t > 0.0;
+    h.time.push_back(t), h.distance.push_back(bed ? entry / rate * std::sin(rate * t) : entry * t);
+    h.speed.push_back(bed ? entry * std::cos(rate * t) : entry);
+    h.acceleration_x.push_back(bed ? -k * h.distance.back() : 0.0);
+  }
+  trace.stop = trace.result.stop_distance = h.distance.back(), trace.result.mean_deceleration = 4.0;
+  return trace;
+}
+
+/// What is recorded where the speed is `late[0]`, the accelerometer `late[1]` and the clock `late[2]` seconds late.
+Run recorded_late(const Trace& trace, const std::array<double, 3>& late) {
+  const auto& h = trace.result.history;
+  Run run;
+  run.overrun.entry_speed = entry;
+  for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
+    Channel& channel = run.channels.emplace_back();
+    channel.quantity = c == 0 ? Quantity::speed : Quantity::acceleration_x;
+    for (double t = -0.95; t < h.time.back(); t += 0.001) {
+      channel.time.push_back(t + late[2]);
+      channel.value.push_back(at_place(h.time, c == 0 ? h.speed : h.acceleration_x, t - late[c]));
+    }
+  }
+  return run;
+}
+
+TEST(Segments, ALateChannelAndALateClockMoveTheNumbersAsTheirColumnsSay) {
+  const Trace trace = growing_stop(0.09);
+  const auto prompt = recorded_late(trace, {0.0, 0.0, 0.0});
+  const Segments s = make_segments(prompt, trace.stop);
+  const Eigen::VectorXd before = measured_features(prompt, s);
+  const Eigen::MatrixXd change = delayed_features(prompt, s, trace, simulated_features(prompt, s, trace, two_gears()));
+  for (const Eigen::Index c : {Eigen::Index{0}, Eigen::Index{1}, Eigen::Index{2}}) {
+    std::array<double, 3> late{};
+    late[static_cast<std::size_t>(c)] = 0.04;
+    const Eigen::VectorXd moved = (measured_features(recorded_late(trace, late), s) - before) / 0.04;
+    for (std::size_t k = 0; k < s.features.size(); ++k) {
+      // Away from the corners of the motion at the edge of the bed and at the stop.
+      if (s.features[k].segment < 3 || s.features[k].segment + 3 > s.count()) continue;
+      const auto i = static_cast<Eigen::Index>(k);
+      EXPECT_NEAR(moved[i], change(i, c), 0.06 * entry * 0.09) << "number " << k << " column " << c;
+    }
+  }
+  EXPECT_LT(change.col(1)(0), 1e-12);  // slowings are read from the speed alone
 }
 
 }  // namespace
