@@ -11,13 +11,25 @@ double HeldOut::least_fall() const {
   return 1.0 - std::exp(-scatter_of_help / std::sqrt(static_cast<double>(std::max<std::size_t>(1, runs.size()))));
 }
 
+HeldOut held_out_of(std::vector<LeftOut> runs) {
+  HeldOut result{std::move(runs), 0.0, 0.0};
+  if (result.runs.empty()) return result;
+  const auto share = 1.0 / static_cast<double>(result.runs.size());
+  for (const LeftOut& one : result.runs) {
+    result.before += share * std::log(std::max(1.0, one.before.total));
+    result.after += share * std::log(std::max(1.0, one.after.total));
+  }
+  result.before = std::exp(result.before), result.after = std::exp(result.after);
+  return result;
+}
+
 HeldOut leave_one_out(const FreeRuns& f, const std::vector<effects::Applied>& effects, double strength) {
-  HeldOut result;
+  std::vector<LeftOut> runs;
   const std::size_t n = f.samples.size();
   std::vector<std::size_t> telling;
   for (std::size_t r = 0; r < n; ++r)
     if (f.samples[r].size > 0) telling.push_back(r);
-  if (telling.size() < 2) return result;
+  if (telling.size() < 2) return {};
   for (const std::size_t r : telling) try {
       std::vector<char> others(n, 1);
       others[r] = 0;
@@ -29,16 +41,11 @@ HeldOut leave_one_out(const FreeRuns& f, const std::vector<effects::Applied>& ef
       };
       LeftOut one{f.data->runs[r].id, error(without), error(with), 0.0};
       one.gain = told_by_a_run * std::log(std::max(1e-6, one.before.total) / std::max(1e-6, one.after.total));
-      result.runs.push_back(std::move(one));
+      runs.push_back(std::move(one));
     } catch (const SolveError&) {
       continue;
     }
-  for (const LeftOut& one : result.runs) {
-    result.before += one.before.total * one.before.total / static_cast<double>(result.runs.size());
-    result.after += one.after.total * one.after.total / static_cast<double>(result.runs.size());
-  }
-  result.before = std::sqrt(result.before), result.after = std::sqrt(result.after);
-  return result;
+  return held_out_of(std::move(runs));
 }
 
 }  // namespace apc::learning

@@ -20,12 +20,16 @@ inline constexpr double scatter_of_help = 0.68;
 
 struct HeldOut {
   std::vector<LeftOut> runs;
-  double before = 0.0, after = 0.0;  ///< root mean square over the runs
+  double before = 0.0, after = 0.0;  ///< geometric mean over the runs; a run's error below 1, its own uncertainty, is 1
   /// By which share the error must fall before effects are said to help: by one standard error of the mean over the
   /// runs, 1 − exp(−scatter / √n). Six runs: 24 %; two: 38 %.
   double least_fall() const;
   bool helps() const { return !runs.empty() && after < (1.0 - least_fall()) * before; }
 };
+
+/// With the means of its runs. Geometric ones, as it is the logarithms that scatter alike from run to run: in a mean of
+/// squares an effect that ruins one good run is paid for by another's large error.
+HeldOut held_out_of(std::vector<LeftOut>);
 
 /// Empty where there are fewer than two runs that can be left out. Runs that cannot be simulated are passed over.
 HeldOut leave_one_out(const FreeRuns&, const std::vector<effects::Applied>&, double strength);
