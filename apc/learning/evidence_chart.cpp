@@ -125,10 +125,9 @@ std::string before_and_after(const Study& study) {
         row.stop);
   }
   return fmt::format(
-             "<p>Every run predicted from the others, without and with the effects; one strength for the bed is fitted "
-             "each time, nothing else. Root mean square of the errors of speed, acceleration and stop over the larger "
-             "of "
-             "noise and 2 % of the range. All runs (geometric mean): {:.2f} before, {:.2f} after{}.</p>",
+             "<p>Every run predicted from the others, without and with the effects; beside them one strength for the "
+             "bed is fitted. Root mean square of the errors of speed, acceleration and stop over the larger of noise "
+             "and 2 % of the range. All runs (geometric mean): {:.2f} before, {:.2f} after{}.</p>",
              study.held_out.before, study.held_out.after,
              study.held_out.helps() ? "" : "; that is no help, and the effects are not added to the model") +
          svg + "</svg>";

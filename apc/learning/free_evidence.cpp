@@ -14,28 +14,41 @@ using effects::Effect;
 
 constexpr std::size_t most_fits = 14;
 
-/// What effects of dates gain counts by this share, chosen on cases with known truth: they can but raise or lower whole
-/// runs, as the scatter from run to run does.
-constexpr double told_by_dates = 0.75;
-
-double told_by(const Effect& effect) { return known_by_date(effect) ? told_by_dates : 1.0; }
-
 struct Promising {
   Applied shape;
   double amplitude = 0.0, gain = 0.0;
 };
 
-/// The linear model around the strength fitted without effects.
+/// The linear model around strength and levels fitted without effects.
 class Linear {
  public:
   explicit Linear(const FreeEvidence& e) : e_(e) {
     const double sigma = e.runs.data->bed_strength, step = 0.25 * sigma;
-    by_strength_ = column(free_misfits(e.runs, e.none.strength + step, {}), step);
+    const Column by_strength = column(free_misfits(e.runs, e.none.strength + step, {}, {}, e.none.levels), step);
     double count = 0.0;
     for (const auto& s : e.runs.samples) count += s.size > 0 ? told_by_a_run : 0.0;
     weight_ = count / e.none.square;
-    information_ = dot(by_strength_, by_strength_) + 1.0 / (sigma * sigma);
-    gradient_ = dot(by_strength_, e.none.misfit) - e.none.strength / (sigma * sigma);
+    nuisance_.push_back(by_strength);
+    std::vector<double> here = {e.none.strength}, deviation = {sigma};
+    for (std::size_t r = 0; r < e.runs.samples.size(); ++r) {
+      if (e.runs.samples[r].size == 0) continue;
+      Column level = by_strength;  // the strength, but of one run
+      for (std::size_t k = 0; k < level.size(); ++k)
+        if (k != r) level[k].setZero();
+      nuisance_.push_back(std::move(level));
+      here.push_back(e.none.levels[r]), deviation.push_back(e.runs.level_deviation[r]);
+    }
+    const auto n = static_cast<Eigen::Index>(nuisance_.size());
+    Eigen::MatrixXd information(n, n);
+    gradient_.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double precision = 1.0 / (deviation[k] * deviation[k]);
+      information.col(i) = shared_with(nuisance_[k]);
+      information(i, i) += precision;
+      gradient_[i] = dot(nuisance_[k], e.none.misfit) - precision * here[k];
+    }
+    factor_.compute(information);
   }
 
   Promising at(const Applied& shape) const {
@@ -43,11 +56,11 @@ class Linear {
     const double step = 0.3 * (p.usual - p.neutral);
     Applied moved = shape;
     moved.values.front() = p.neutral + step;
-    const auto by_amplitude = column(free_misfits(e_.runs, e_.none.strength, {moved}), step);
-    const double shared = dot(by_amplitude, by_strength_);
-    const double gradient = dot(by_amplitude, e_.none.misfit) - shared * gradient_ / information_;
+    const auto by_amplitude = column(free_misfits(e_.runs, e_.none.strength, {moved}, {}, e_.none.levels), step);
+    const Eigen::VectorXd shared = shared_with(by_amplitude);
+    const double gradient = dot(by_amplitude, e_.none.misfit) - shared.dot(factor_.solve(gradient_));
     const double information =
-        dot(by_amplitude, by_amplitude) + 1.0 / std::pow(amplitude_deviation(p), 2) - shared * shared / information_;
+        dot(by_amplitude, by_amplitude) + 1.0 / std::pow(amplitude_deviation(p), 2) - shared.dot(factor_.solve(shared));
     const double amplitude =
         std::clamp(gradient / information, std::min(0.0, p.low - p.neutral), std::max(0.0, p.high - p.neutral));
     return {shape, amplitude, amplitude * gradient - 0.5 * amplitude * amplitude * information};
@@ -64,10 +77,17 @@ class Linear {
     for (std::size_t r = 0; r < a.size(); ++r) sum += a[r].dot(b[r]);
     return weight_ * sum;
   }
+  Eigen::VectorXd shared_with(const Column& a) const {
+    Eigen::VectorXd shared(static_cast<Eigen::Index>(nuisance_.size()));
+    for (std::size_t k = 0; k < nuisance_.size(); ++k) shared[static_cast<Eigen::Index>(k)] = dot(a, nuisance_[k]);
+    return shared;
+  }
 
   const FreeEvidence& e_;
-  Column by_strength_;
-  double weight_ = 0.0, information_ = 0.0, gradient_ = 0.0;
+  std::vector<Column> nuisance_;  ///< strength, then levels
+  Eigen::VectorXd gradient_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  double weight_ = 0.0;
 };
 
 /// From the linear model's amplitude, and from half the usual one where that leads nowhere.
@@ -78,8 +98,7 @@ std::optional<FreeSet> fitted(const FreeEvidence& e, const Promising& start) {
       Applied applied = start.shape;
       applied.values.front() = p.neutral + amplitude;
       FreeSet set{fit_free(e.runs, {applied}, e.none.strength), 0.0};
-      set.log_evidence = log_evidence_of(set.fit, e.none) -
-                         (1.0 - told_by(applied.effect)) * 0.5 * (e.none.objective - set.fit.objective);
+      set.log_evidence = log_evidence_of(set.fit, e.none);
       if (!best || best->log_evidence < set.log_evidence) best = std::move(set);
       if (best->log_evidence > 1.0) break;
     } catch (const SolveError&) {
@@ -190,8 +209,6 @@ void add_pair(FreeEvidence& e, const std::vector<Applied>& pair) {
       continue;
     }
   if (!best) return;
-  best->log_evidence -= (1.0 - told_by(better.effects.front().effect)) * 0.5 * (e.none.objective - better.objective) +
-                        (1.0 - told_by(other.effect)) * 0.5 * (better.objective - best->fit.objective);
   e.sets[ids] = std::move(*best);
 }
 

@@ -32,27 +32,38 @@ double count_of(const FreeRuns& f, const std::vector<char>& use) {
 
 /// One unknown of a fit: its prior, its bounds, a step for differences.
 struct Unknown {
-  std::size_t effect = 0;  ///< 0: the strength; else 1 + index of the effect
+  enum class Kind { strength, amplitude, level };
+  Kind kind = Kind::strength;
+  std::size_t index = 0;  ///< of the effect or the run
   double mean = 0.0, deviation = 1.0, low = -1.0, high = 1.0, step = 0.01;
 };
 
-std::vector<Unknown> unknowns_of(const FreeRuns& f, const std::vector<Applied>& effects) {
+std::vector<Unknown> unknowns_of(const FreeRuns& f, const std::vector<Applied>& effects, const std::vector<char>& use) {
   const double sigma = f.data->bed_strength;
-  std::vector<Unknown> list = {{0, 0.0, sigma, -widest * sigma, widest * sigma, 0.25 * sigma}};
+  std::vector<Unknown> list = {{Unknown::Kind::strength, 0, 0.0, sigma, -widest * sigma, widest * sigma, 0.25 * sigma}};
   for (std::size_t e = 0; e < effects.size(); ++e) {
     if (effects[e].effect.fine) continue;
     const effects::Parameter& p = effects[e].effect.parameters.front();
     const double below = amplitude_positive(p) ? p.neutral : p.neutral - 2.0 * (p.neutral - p.low);
-    list.push_back({e + 1, p.neutral, amplitude_deviation(p), std::min(below, p.neutral),
+    list.push_back({Unknown::Kind::amplitude, e, p.neutral, amplitude_deviation(p), std::min(below, p.neutral),
                     p.neutral + 2.0 * std::max(0.0, p.high - p.neutral), 0.1 * std::abs(p.usual - p.neutral)});
   }
+  for (std::size_t r = 0; r < f.samples.size(); ++r)
+    if ((use.empty() || use[r]) && f.samples[r].size > 0) {
+      const double own = f.level_deviation[r];
+      list.push_back({Unknown::Kind::level, r, 0.0, own, -widest * own, widest * own, 0.25 * own});
+    }
   return list;
 }
 
 struct State {
   double strength = 0.0;
   std::vector<Applied> effects;
-  double& value(const Unknown& u) { return u.effect == 0 ? strength : effects[u.effect - 1].values.front(); }
+  std::vector<double> levels;
+  double& value(const Unknown& u) {
+    if (u.kind == Unknown::Kind::strength) return strength;
+    return u.kind == Unknown::Kind::level ? levels[u.index] : effects[u.index].values.front();
+  }
 };
 
 double prior_of(const std::vector<Unknown>& unknowns, State s) {
@@ -72,11 +83,18 @@ Slope slope_at(const FreeRuns& f, const std::vector<Unknown>& unknowns, State he
   const auto n = static_cast<Eigen::Index>(unknowns.size());
   std::vector<Misfits> columns;
   for (const Unknown& u : unknowns) {
+    if (u.kind == Unknown::Kind::level) {  // the strength, but of one run
+      Misfits one = columns.front();
+      for (std::size_t r = 0; r < one.size(); ++r)
+        if (r != u.index) one[r].setZero();
+      columns.push_back(std::move(one));
+      continue;
+    }
     State moved = here;
     double& value = moved.value(u);
     const double step = value + u.step > u.high ? -u.step : u.step;
     value += step;
-    columns.push_back(free_misfits(f, moved.strength, moved.effects, use));
+    columns.push_back(free_misfits(f, moved.strength, moved.effects, use, moved.levels));
     for (std::size_t r = 0; r < fit.misfit.size(); ++r) columns.back()[r] = (fit.misfit[r] - columns.back()[r]) / step;
   }
   Slope slope{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
@@ -107,11 +125,11 @@ Eigen::VectorXd step_within(const std::vector<Unknown>& unknowns, State here, co
 }  // namespace
 
 FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double strength, const std::vector<char>& use) {
-  State here{strength, start};
-  const std::vector<Unknown> unknowns = unknowns_of(f, start);
+  State here{strength, start, std::vector<double>(f.samples.size(), 0.0)};
+  const std::vector<Unknown> unknowns = unknowns_of(f, start, use);
   const double count = count_of(f, use);
   FreeFit fit;
-  fit.misfit = free_misfits(f, here.strength, here.effects, use);
+  fit.misfit = free_misfits(f, here.strength, here.effects, use, here.levels);
   fit.square = square_of(fit.misfit);
   fit.objective = count * std::log(fit.square) + prior_of(unknowns, here);
   Slope slope;
@@ -125,7 +143,7 @@ FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double st
         for (std::size_t k = 0; k < unknowns.size(); ++k)
           trial.value(unknowns[k]) = std::clamp(trial.value(unknowns[k]) + share * step[static_cast<Eigen::Index>(k)],
                                                 unknowns[k].low, unknowns[k].high);
-        Misfits misfits = free_misfits(f, trial.strength, trial.effects, use);
+        Misfits misfits = free_misfits(f, trial.strength, trial.effects, use, trial.levels);
         const double square = square_of(misfits), objective = count * std::log(square) + prior_of(unknowns, trial);
         fell = objective < fit.objective;
         if (fell) here = trial, fit.misfit = std::move(misfits), fit.square = square, fit.objective = objective;
@@ -134,7 +152,7 @@ FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double st
       }
     if (!fell || before - fit.objective < settled) break;
   }
-  fit.strength = here.strength, fit.effects = here.effects;
+  fit.strength = here.strength, fit.effects = here.effects, fit.levels = here.levels;
   fit.covariance =
       slope.information.llt().solve(Eigen::MatrixXd::Identity(slope.information.rows(), slope.information.cols()));
   return fit;

@@ -1,25 +1,28 @@
 /// What is calibrated on free runs: one strength for the whole bed, as its certificate allows, and the sizes of
-/// effects. Nothing else is moved, so that what a model gains here is what it gains in a prediction.
+/// effects. Nothing else goes into a prediction. Beside them every run has a level, a strength of its own as narrow as
+/// runs of one bed scatter (run_level.h): what raises or lowers whole runs must gain more than that scatter does.
 ///
 /// The scale of the errors is not known beforehand — blocks, tables and the bounce leave two to five times the noise —
 /// so S, the sum of squares of all runs, counts by its logarithm. Minimised is
-///     O = n ln S + (ln strength / σ)² + Σ ((A − neutral) / σ_A)²,   n = 2 per run:
-/// a run tells how much drag there is and how it is spread over the way. Gauss–Newton, steps halved until O falls.
+///     O = n ln S + (ln strength / σ)² + Σ (level_r / σ_r)² + Σ ((A − neutral) / σ_A)²,   n = 3 per run:
+/// how drag is spread over the way and over speeds. Gauss–Newton, steps halved until O falls.
 #pragma once
 
 #include "apc/learning/free_run.h"
 
 namespace apc::learning {
 
-/// Numbers that one run tells.
-inline constexpr double told_by_a_run = 2.0;
+/// Numbers that one run tells beside its level. Squared errors of effect-free runs scatter as if they were six; effects
+/// are smooth and fall on the largest of them.
+inline constexpr double told_by_a_run = 3.0;
 
 struct FreeFit {
   double strength = 0.0;  ///< ln of the bed's strength over its data sheet's
   std::vector<effects::Applied> effects;
+  std::vector<double> levels;           ///< per run; 0 for runs that are not used
   double square = 0.0;                  ///< S
   double objective = 0.0;               ///< O
-  Eigen::MatrixXd covariance;           ///< strength, then the amplitudes that were fitted
+  Eigen::MatrixXd covariance;           ///< strength, the amplitudes that were fitted, levels
   std::vector<Eigen::VectorXd> misfit;  ///< per run; empty: not used
 };
 

@@ -5,6 +5,7 @@
 
 #include "apc/base/parallel.h"
 #include "apc/learning/entry_speed.h"
+#include "apc/learning/run_level.h"
 
 namespace apc::learning {
 namespace {
@@ -94,16 +95,19 @@ FreeRuns free_runs(const Case& data, unsigned threads) {
     f.eta[f.layout.runs[r].entry_speed] = entry_speed(data.runs[r]).value - data.runs[r].overrun.entry_speed;
   for (std::size_t r = 0; r < data.runs.size(); ++r)
     f.samples.push_back(free_samples(data.runs[r], data, f.layout.runs[r], f.eta));
+  for (const Run& run : data.runs)
+    f.level_deviation.push_back(level_deviation(run, data.bed.length(), data.block_strength, data.correlation));
   return f;
 }
 
 std::vector<Eigen::VectorXd> free_misfits(const FreeRuns& f, double strength,
-                                          const std::vector<effects::Applied>& effects, const std::vector<char>& use) {
-  Eigen::VectorXd eta = f.eta;
-  eta[f.layout.bed_strength] = strength;
+                                          const std::vector<effects::Applied>& effects, const std::vector<char>& use,
+                                          const std::vector<double>& levels) {
   std::vector<Eigen::VectorXd> misfits(f.samples.size());
   parallel_for(f.samples.size(), f.threads, [&](std::size_t r) {
     if ((!use.empty() && !use[r]) || f.samples[r].size == 0) return;
+    Eigen::VectorXd eta = f.eta;
+    eta[f.layout.bed_strength] = strength + (levels.empty() ? 0.0 : levels[r]);
     misfits[r] = free_misfit(f.data->runs[r], f.samples[r],
                              simulate_run(*f.data, f.layout, r, f.data->runs[r], eta, effects), f.data->aircraft);
   });

@@ -40,13 +40,15 @@ struct FreeRuns {
   Layout layout;
   Eigen::VectorXd eta;  ///< the nominal model, entry speeds as recorded and signal tell them together
   std::vector<FreeSamples> samples;
+  std::vector<double> level_deviation;  ///< per run, as run_level.h says
   unsigned threads = 0;
 };
 FreeRuns free_runs(const Case&, unsigned threads);
 
-/// Misfits of all runs at this strength (logarithm, over the data sheet's) with effects; empty for runs that tell
-/// nothing or where `use` (if given) is false. SolveError when a run cannot be simulated.
+/// Misfits of all runs at this strength (logarithm, over the data sheet's; plus the run's own of `levels` if given)
+/// with effects; empty for runs that tell nothing or where `use` (if given) is false. SolveError when a run cannot be
+/// simulated.
 std::vector<Eigen::VectorXd> free_misfits(const FreeRuns&, double strength, const std::vector<effects::Applied>&,
-                                          const std::vector<char>& use = {});
+                                          const std::vector<char>& use = {}, const std::vector<double>& levels = {});
 
 }  // namespace apc::learning

@@ -6,9 +6,21 @@
 #include "apc/base/require.h"
 
 namespace apc::learning {
+namespace {
+
+double logarithm(const RunError& error) { return std::log(std::max(1.0, error.total)); }
+
+}  // namespace
 
 double HeldOut::least_fall() const {
-  return 1.0 - std::exp(-scatter_of_help / std::sqrt(static_cast<double>(std::max<std::size_t>(1, runs.size()))));
+  const auto n = static_cast<double>(std::max<std::size_t>(1, runs.size()));
+  double mean = 0.0, square = 0.0;
+  for (const LeftOut& one : runs) {
+    const double help = logarithm(one.before) - logarithm(one.after);
+    mean += help / n, square += help * help;
+  }
+  const double own = runs.size() < 2 ? 0.0 : std::sqrt(std::max(0.0, (square - n * mean * mean) / (n - 1.0)));
+  return 1.0 - std::exp(-std::max(scatter_of_help, own) / std::sqrt(n));
 }
 
 HeldOut held_out_of(std::vector<LeftOut> runs) {
@@ -16,8 +28,8 @@ HeldOut held_out_of(std::vector<LeftOut> runs) {
   if (result.runs.empty()) return result;
   const auto share = 1.0 / static_cast<double>(result.runs.size());
   for (const LeftOut& one : result.runs) {
-    result.before += share * std::log(std::max(1.0, one.before.total));
-    result.after += share * std::log(std::max(1.0, one.after.total));
+    result.before += share * logarithm(one.before);
+    result.after += share * logarithm(one.after);
   }
   result.before = std::exp(result.before), result.after = std::exp(result.after);
   return result;

@@ -22,7 +22,7 @@ struct HeldOut {
   std::vector<LeftOut> runs;
   double before = 0.0, after = 0.0;  ///< geometric mean over the runs; a run's error below 1, its own uncertainty, is 1
   /// By which share the error must fall before effects are said to help: by one standard error of the mean over the
-  /// runs, 1 − exp(−scatter / √n). Six runs: 24 %; two: 38 %.
+  /// runs, 1 − exp(−scatter / √n), scatter being these runs' own where it is the larger one. Six runs: 24 %; two: 38 %.
   double least_fall() const;
   bool helps() const { return !runs.empty() && after < (1.0 - least_fall()) * before; }
 };

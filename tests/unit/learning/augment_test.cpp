@@ -95,6 +95,10 @@ TEST(HeldOut, ARunThatIsRuinedIsNotPaidForByAnother) {
   };
   // Roots of the mean squares fall from 7.0 to 3.6 and to 2.4.
   EXPECT_FALSE(held_out_of(runs({{1.0, 6.0}, {12.0, 3.0}, {7.0, 2.0}, {1.5, 1.4}})).helps());
+  // Here the geometric mean falls by 45 %, and one standard error is 49 %: one run is four times as bad.
+  const HeldOut uneven = held_out_of(runs({{1.0, 4.0}, {12.0, 3.0}, {9.0, 2.0}, {6.0, 2.5}}));
+  EXPECT_NEAR(uneven.least_fall(), 0.4905, 1e-4);
+  EXPECT_FALSE(uneven.helps()) << uneven.before << " -> " << uneven.after;
   const HeldOut even = held_out_of(runs({{1.0, 0.2}, {12.0, 4.0}, {7.0, 2.0}, {1.5, 1.5}}));
   EXPECT_TRUE(even.helps());
   EXPECT_NEAR(even.before, std::pow(1.0 * 12.0 * 7.0 * 1.5, 0.25), 1e-12);

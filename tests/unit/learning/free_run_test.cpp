@@ -7,6 +7,7 @@
 #include "apc/effects/catalogue.h"
 #include "apc/learning/free_evidence.h"
 #include "apc/learning/held_out.h"
+#include "apc/learning/run_level.h"
 #include "tests/support/surveyed_runs.h"
 
 namespace apc::learning {
@@ -66,6 +67,33 @@ TEST(FreeFit, AnAmplitudeStaysInItsRange) {
   const FreeFit fit = fit_free(f, {inertia(0.2)}, 0.0);
   EXPECT_GE(fit.effects[0].values[0], 0.0) << "foam is not thrown forward";
   EXPECT_LT(fit.effects[0].values[0], 0.1);
+}
+
+TEST(FreeFit, ALevelTakesUpWhatIsWrongWithOneRun) {
+  Case data = made({}, 1e-4);
+  const FreeFit right = fit_strength(free_runs(data, 0));
+  for (const double level : right.levels) EXPECT_LT(std::abs(level), 0.01);
+  data.runs[2].overrun.mass *= 1.06;  // said to be heavier than it was: the bed seems stronger to it
+  const FreeFit fit = fit_strength(free_runs(data, 0));
+  std::printf("levels %.3f %.3f %.3f %.3f, strength %.3f\n", fit.levels[0], fit.levels[1], fit.levels[2], fit.levels[3],
+              fit.strength);
+  EXPECT_GT(fit.levels[2], 0.02);
+  for (const std::size_t other : {0, 1, 3}) EXPECT_LT(std::abs(fit.levels[other]), 0.5 * fit.levels[2]) << other;
+  EXPECT_LT(std::abs(fit.strength), 0.02);
+}
+
+TEST(RunLevel, BlocksAverageOutOverTheWay) {
+  learning::Run run;
+  run.overrun.entry_speed = 30.0, run.uncertainty.entry_speed = 0.0;
+  run.overrun.mass = 60000.0, run.uncertainty.mass = 0.0;
+  run.stop = 100.0;
+  const double from_day_to_day = 0.02, tracks = std::sqrt(0.5 * 1.3);
+  EXPECT_NEAR(level_deviation(run, 150.0, 0.0, 5.0), from_day_to_day, 1e-12);
+  // One value for the whole way; and 2 ℓ / way of the variance where the way is long.
+  EXPECT_NEAR(level_deviation(run, 150.0, 0.1, 1e9), std::hypot(from_day_to_day, 0.1 * tracks), 1e-5);
+  EXPECT_NEAR(level_deviation(run, 150.0, 0.1, 0.5), std::hypot(from_day_to_day, 0.1 * tracks * std::sqrt(0.01)), 1e-4);
+  run.uncertainty.mass = 600.0, run.uncertainty.entry_speed = 0.15;
+  EXPECT_NEAR(level_deviation(run, 150.0, 0.0, 5.0), std::sqrt(4e-4 + 1e-4 + 1e-4), 1e-12);
 }
 
 TEST(FreeEvidence, ARightEffectLeadsAndWeighsNothingWhereItIsNot) {
