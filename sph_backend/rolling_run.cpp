@@ -40,6 +40,7 @@ RollingRun start_run(const RollingCase& setup, unsigned threads) {
   bed.first_column = columns.first - held_columns;
   bed.columns = columns.end - columns.first + 2 * held_columns;
   run.bed = make_bed(bed);
+  shorten_step(run.bed, longest_step(contact_points(run.bed), run.tire, run.law));
   return run;
 }
 
