@@ -47,10 +47,11 @@ void finish(const RollingRun& run, RollingResult& result) {
   result.particles = run.bed.alive, result.steps = static_cast<double>(run.bed.steps);
   result.particle_steps = static_cast<double>(run.bed.particle_steps);
   result.history = run.history;
+  result.shape = shape_behind(run);
   const Particles& p = run.bed.particles;
-  const double at = run.path.at(run.bed.time).x - 0.55 * run.radius();
+  const Slice slice = settled_slice(run);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.id[i] < 0 || std::abs(p.x[i] - at) > run.setup.spacing) continue;
+    if (p.id[i] < 0 || p.x[i] < slice.from || p.x[i] >= 0.5 * (slice.from + slice.to)) continue;
     const double s = p.stretch[i];
     result.section_y.push_back(p.y[i]), result.section_z.push_back(p.z[i]);
     result.section_compaction.push_back(1.0 - 1.0 / (s * s * s));

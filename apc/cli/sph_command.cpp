@@ -72,6 +72,13 @@ report::RollingRecord as_record(const SphDeck& deck, const sph::RollingResult& r
   record.section_z = result.section_z;
   for (double& z : record.section_z) z -= deck.rig.bed_depth;  // the rig counts from the rigid plane upwards
   record.section_compaction = result.section_compaction;
+  const double axle_height = deck.rig.bed_depth - deck.rig.penetration + 0.5 * deck.rig.tire.diameter;
+  const sph::FurrowWheel wheel{sph::section(deck.rig.tire), axle_height};
+  for (int k = 0; k <= 60; ++k) {
+    record.wheel_z.push_back(-deck.rig.penetration * (1.0 - k * k / 3600.0));
+    record.wheel_y.push_back(wheel.flank(deck.rig.bed_depth + record.wheel_z.back()));
+  }
+  for (const auto& line : sph::lines_of(result.shape)) record.shape.push_back({line.key, line.name, line.value});
   return record;
 }
 

@@ -55,6 +55,7 @@ TEST(Roll, InterruptedAndResumedGivesTheSameBits) {
   EXPECT_THROW(roll(other, again), InputError);
 
   const RollingResult resumed = roll(quick_case(), again);
+  EXPECT_EQ(resumed.shape.floor, whole.shape.floor);
   EXPECT_EQ(resumed.drag, whole.drag);
   EXPECT_EQ(resumed.vertical, whole.vertical);
   EXPECT_EQ(resumed.energy.accounted(), whole.energy.accounted());
