@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunWords {
-  fs::path deck, out, snapshots;
+  fs::path deck, out, snapshots, checkpoint;
+  std::string checkpoint_every = "60 s";
   unsigned threads = 0;
 };
 
@@ -89,6 +90,9 @@ void run_deck(const RunWords& words, Settings& settings) {
   options.threads = words.threads == 0 ? hardware_threads() : words.threads;
   options.stop = stop_requested;
   options.snapshots = words.snapshots;
+  options.checkpoint = words.checkpoint;
+  options.checkpoint_every_s = option_quantity("--checkpoint-every", words.checkpoint_every, dimension::time);
+  require(options.checkpoint_every_s >= 0.0, "--checkpoint-every: \"", words.checkpoint_every, "\" is in the past");
   const auto folder = words.out.empty() ? fs::path("out") / ("sph_" + words.deck.stem().string()) : words.out;
   settings.results = {folder / "history.csv", folder / "result.json", folder / "report.html"};
   sph::RollingResult result;
@@ -127,6 +131,13 @@ void add_run(CLI::App& sph, Settings& settings) {
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--snapshots", words->snapshots, "folder for particle snapshots (VTU)")->type_name("DIR");
+  command
+      ->add_option("--checkpoint", words->checkpoint,
+                   "file of the run's state; after an interruption the same command goes on from it, to the same bits")
+      ->type_name("FILE");
+  command->add_option("--checkpoint-every", words->checkpoint_every, "how often it is renewed")
+      ->type_name("TIME")
+      ->capture_default_str();
   command->add_option("-o,--out", words->out, "folder of the files (default out/sph_FILE)")->type_name("DIR");
   add_common_options(*command, settings);
   command->footer("Exit code 3 when the loads did not become steady: the report then names the state and why.");

@@ -168,6 +168,27 @@ TEST(Roll, SnapshotsOpenAsASeries) {
   fs::remove_all(folder);
 }
 
+TEST(Roll, SnapshotsOfAResumedRunGoOnWithTheirSeries) {
+  const fs::path folder = fs::temp_directory_path() / "apc_sph_resumed_snapshots_test";
+  fs::remove_all(folder);
+  const auto series = [&](bool interrupted) {
+    RollOptions options;
+    options.snapshots = folder / (interrupted ? "two" : "one");
+    if (interrupted) {
+      int asked = 0;
+      options.checkpoint = folder / "state.h5";
+      options.stop = [&] { return ++asked == 12; };
+      EXPECT_THROW(roll(quick_case(), options), Interrupted);
+      options.stop = {};
+    }
+    roll(quick_case(), options);
+    std::ifstream in(options.snapshots / "run.pvd");
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  };
+  EXPECT_EQ(series(false), series(true));
+  fs::remove_all(folder);
+}
+
 TEST(Roll, SenselessCasesAreRefused) {
   RollingCase c = quick_case();
   c.bed_depth = 3.0 * c.spacing;
