@@ -120,7 +120,8 @@ void run_deck(const RunWords& words, Settings& settings) {
   }
   if (!record.steady)
     throw SolveError(concat(words.deck.string(), ": ", record.state, ": ", record.message,
-                            ". Its loads are not to be used; the report shows what it had"));
+                            record.message.ends_with('.') ? " " : ". ",
+                            "Its loads are not to be used; the report shows what it had"));
 }
 
 void add_run(CLI::App& sph, Settings& settings) {

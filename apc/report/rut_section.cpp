@@ -17,7 +17,7 @@ constexpr double widest = 700, highest = 420;  ///< of the drawing itself, px
 std::string axis_ticks(const Axis& across, const Axis& up, const Scale& scale) {
   std::string out;
   const double base = up.pixel_low, edge = across.pixel_low;
-  const int room = std::max(2, static_cast<int>((across.pixel_high - across.pixel_low) / 70));
+  const int room = std::max(4, static_cast<int>((across.pixel_high - across.pixel_low) / 70));
   for (const auto& tick : ticks(across.low, across.high, scale, room))
     out += fmt::format(
         "<path class=\"zero\" d=\"M{0},{1}v5\"/><text class=\"tick\" x=\"{0}\" y=\"{2}\" "
@@ -29,7 +29,7 @@ std::string axis_ticks(const Axis& across, const Axis& up, const Scale& scale) {
         "text-anchor=\"end\">{4}</text>",
         pixel(edge), pixel(up(tick.value)), pixel(edge - 8), pixel(up(tick.value) + 4), tick.label);
   return out + fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\">across the rut, {}; up from the surface</text>",
-                           pixel(edge), pixel(base + 36), scale.unit);
+                           pixel(left), pixel(base + 36), scale.unit);
 }
 
 /// How dark a particle is that has lost `compaction` of its volume.
@@ -50,7 +50,7 @@ std::string grains(const RollingRecord& record, const Axis& across, const Axis& 
 
 std::string shades(double x, double y) {
   std::string out = fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\">crushed by</text>", pixel(x), pixel(y));
-  double at = x + 66;
+  double at = x + 76;
   for (const double compaction : {0.0, 0.5, 0.85}) {
     out += fmt::format(
         "<rect class=\"grain\" fill-opacity=\"{:.2f}\" x=\"{}\" y=\"{}\" width=\"16\" height=\"11\"/><text "
@@ -74,6 +74,7 @@ std::string rut_section(const RollingRecord& record) {
   const Axis across{-half, half, left + shift, left + shift + wide}, up{low, high, top + tall, top};
   const double width = left + right + std::max(wide, 300.0), height = top + tall + bottom;
   const double begin = across.pixel_low, end = across.pixel_high;
+  const double words_end = std::max(end, width - right);  // beside a narrow section
 
   std::string out = fmt::format(
       "<svg class=\"rest\" style=\"max-width:{0}px\" viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"section behind "
@@ -90,17 +91,20 @@ std::string rut_section(const RollingRecord& record) {
     y.push_back(record.wheel_y[i]), z.push_back(record.wheel_z[i]);
   out += "<path class=\"level main\" d=\"" + path(y, z, across, up) + "\"/>";
 
-  LabelPlaces places({begin, top, end, top + tall});
+  LabelPlaces places({begin, top, words_end, top + tall});
+  std::vector<double> at_x, at_y;
+  for (std::size_t i = 0; i < y.size(); ++i) at_x.push_back(across(y[i])), at_y.push_back(up(z[i]));
+  places.avoid_curve(at_x, at_y);
   for (const auto& [level, name] :
        {std::pair{0.0, "surface"}, std::pair{-record.penetration, "lowest point of the wheel"}}) {
     const double at = up(level);
-    out += fmt::format("<path class=\"level nose\" d=\"M{},{}H{}\"/>", pixel(begin), pixel(at), pixel(end));
+    out += fmt::format("<path class=\"level nose\" d=\"M{},{}H{}\"/>", pixel(begin), pixel(at), pixel(words_end));
     const auto place = places.at_level(at, letters_of(name));
     out += fmt::format("<text class=\"name nose\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>", pixel(place.x),
                        pixel(place.y), place.anchor, name);
   }
   out += either("g", axis_ticks(across, up, measure::depth.field), axis_ticks(across, up, measure::depth.si));
-  out += shades(left + shift, height - 8);
+  out += shades(left, height - 8);
   return out + "</svg>";
 }
 
