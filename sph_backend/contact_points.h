@@ -2,6 +2,7 @@
 /// nodes on the surface of a mesh, which have none. Plain pointers into the owner's arrays, valid for one step.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,10 +24,12 @@ struct ContactPoints {
   double dt = 0.0;                                           ///< s
   Team* team = nullptr;                                      ///< looks through the points; null: the caller alone
 
-  /// r_c = reach · ρ0/ρ, with the stretches of this or of the last step.
+  /// r_c = reach · min(ρ0/ρ, 1), with the stretches of this or of the last step: what a torn particle has swollen by is
+  /// void and touches nothing.
   double radius(const float* stretches, std::size_t i) const {
     if (stretches == nullptr) return 0.0;
-    return reach / (static_cast<double>(stretches[i]) * stretches[i] * stretches[i]);
+    const double s = std::max(1.0, static_cast<double>(stretches[i]));
+    return reach / (s * s * s);
   }
 };
 

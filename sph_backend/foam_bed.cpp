@@ -168,6 +168,11 @@ Bed make_bed(const BedSpec& spec) {
   return bed;
 }
 
+void shorten_step(Bed& bed, double longest) {
+  bed.dt = std::min(bed.dt, longest);
+  bed.neighbours.grid.dt = bed.dt;
+}
+
 void move_window(Bed& bed, int first_column, int end_column) {
   Particles& p = bed.particles;
   for (int c = bed.spec.first_column + bed.spec.columns; c < end_column; ++c) append_column(bed, c);

@@ -64,6 +64,9 @@ struct Bed {
 
 Bed make_bed(const BedSpec&);
 
+/// For a tool that bears no longer steps than `longest`.
+void shorten_step(Bed&, double longest);
+
 /// Moves the block along the bed to columns [first, end): fresh ones ahead, those behind dropped, the ends held.
 void move_window(Bed&, int first_column, int end_column);
 

@@ -103,11 +103,16 @@ APC_INLINE void update_stress(const PairWork& w, int base, Gradient l, double& i
   if (any_negative(w.tension_cutoff - high) || any_negative(w.yield_lowest - low))
     cap_principal(s, yield_stress(w, 1.0f - ratio), w.tension_cutoff);
 
-  // Work of the pair forces that carry V² σ, so that it closes with the motion: mean of V² σ before and after.
+  // Work of the pair forces that carry V² σ, so that it closes with the motion: those after the step on L as it is
+  // here, those before it on L as it was there, L (I − Δt L)⁻¹ ≈ L + Δt L².
   const Vec new_volume = w.volume0 * ratio, after = 0.5f * new_volume * (new_volume / volume), before = 0.5f * volume;
-  const Symmetric mean{before * old.xx + after * s.xx, before * old.yy + after * s.yy, before * old.zz + after * s.zz,
-                       before * old.xy + after * s.xy, before * old.xz + after * s.xz, before * old.yz + after * s.yz};
-  const Vec work = dt * dot(mean, d);
+  const Symmetric first{d.xx + dt * (l.xx * l.xx + l.xy * l.yx + l.xz * l.zx),
+                        d.yy + dt * (l.xy * l.yx + l.yy * l.yy + l.yz * l.zy),
+                        d.zz + dt * (l.xz * l.zx + l.yz * l.zy + l.zz * l.zz),
+                        d.xy + (0.5f * dt) * (l.xy * (l.xx + l.yy) + l.yx * (l.xx + l.yy) + l.xz * l.zy + l.yz * l.zx),
+                        d.xz + (0.5f * dt) * (l.xz * (l.xx + l.zz) + l.zx * (l.xx + l.zz) + l.xy * l.yz + l.zy * l.yx),
+                        d.yz + (0.5f * dt) * (l.yz * (l.yy + l.zz) + l.zy * (l.yy + l.zz) + l.yx * l.xz + l.zx * l.xy)};
+  const Vec work = dt * (before * dot(old, first) + after * dot(s, d));
   internal += sum(work);
   store(w.work + base, load(w.work + base) + work);
   store(w.stretch + base, new_stretch);

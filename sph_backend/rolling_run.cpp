@@ -40,6 +40,7 @@ RollingRun start_run(const RollingCase& setup, unsigned threads) {
   bed.first_column = columns.first - held_columns;
   bed.columns = columns.end - columns.first + 2 * held_columns;
   run.bed = make_bed(bed);
+  shorten_step(run.bed, longest_step(contact_points(run.bed), run.tire, run.law));
   return run;
 }
 
@@ -56,6 +57,35 @@ double surface_behind(const RollingRun& run) {
     if (ratio < 0.7) top = std::max(top, p.z[i] + 0.5 * run.bed.layer * ratio);
   }
   return top < 0.0 ? run.setup.bed_depth : top;
+}
+
+Slice settled_slice(const RollingRun& run) {
+  const BedSpec& spec = run.bed.spec;
+  const double rear = (spec.first_column + spec.held_columns) * spec.spacing;
+  return {rear, rear + 2.0 * spec.spacing};
+}
+
+RutShape shape_behind(const RollingRun& run) {
+  const Bed& bed = run.bed;
+  const Particles& p = bed.particles;
+  const AxleState axle = run.path.at(bed.time);
+  const Slice slice = settled_slice(run);
+  const double dx = run.setup.spacing, way = 0.25 * run.setup.tire.width;
+  const double front = (bed.spec.first_column + bed.spec.columns) * dx;
+  std::vector<Grain> across, ahead;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.id[i] < 0) continue;
+    const double s = std::max(1.0f, p.stretch[i]), half = 0.5 * bed.layer / (s * s * s);
+    if (p.x[i] >= slice.from && p.x[i] < slice.to) across.push_back({p.y[i], p.z[i] - half, p.z[i] + half});
+    if (p.x[i] > axle.x && p.y[i] < way) ahead.push_back({p.x[i], p.z[i] - half, p.z[i] + half});
+  }
+  RutShape shape = rut_shape(surface_of(std::move(across), 0.0, bed.half_width, dx), {run.tire.outline, axle.z},
+                             run.setup.bed_depth, run.setup.penetration);
+  shape.behind = axle.x - 0.5 * (slice.from + slice.to);
+  shape.bow_wave = -run.setup.bed_depth;
+  for (const double height : surface_of(std::move(ahead), axle.x, front, dx).height)
+    shape.bow_wave = std::max(shape.bow_wave, height - run.setup.bed_depth);
+  return shape;
 }
 
 }  // namespace apc::sph

@@ -4,6 +4,7 @@
 #include "sph_backend/energy.h"
 #include "sph_backend/foam_bed.h"
 #include "sph_backend/rolling_history.h"
+#include "sph_backend/rut_shape.h"
 #include "sph_backend/tire.h"
 #include "sph_backend/tire_contact.h"
 #include "sph_backend/tire_rig.h"
@@ -40,5 +41,12 @@ void follow(RollingRun&, const AxleState&);
 
 /// Height of the crushed surface behind the tire, m above the rigid plane.
 double surface_behind(const RollingRun&);
+
+/// The last free columns of the window, m along the bed: what the wheel leaves.
+struct Slice {
+  double from, to;
+};
+Slice settled_slice(const RollingRun&);
+RutShape shape_behind(const RollingRun&);
 
 }  // namespace apc::sph

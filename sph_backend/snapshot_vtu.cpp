@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <numbers>
 
 #include "apc/base/file.h"
@@ -109,6 +111,17 @@ std::string numbered(const char* what, std::size_t number) {
 }
 
 }  // namespace
+
+double SnapshotSeries::resume(double time) {
+  std::ifstream series(folder_ / "run.pvd");
+  const std::string head = "<DataSet timestep=\"", part = "\" part=\"0\"";
+  for (std::string line; std::getline(series, line);) {
+    if (!line.starts_with(head) || line.find(part) == std::string::npos) continue;
+    const double at = std::strtod(line.c_str() + head.size(), nullptr);
+    if (at <= time) times_.push_back(at);
+  }
+  return times_.empty() ? -1.0 : times_.back();
+}
 
 void SnapshotSeries::write(const RollingRun& run) {
   const std::size_t n = times_.size();

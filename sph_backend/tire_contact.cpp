@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "sph_backend/team.h"
@@ -35,11 +36,23 @@ Deflection deflection_at(const Tire& tire, double phi, double y) {
   return d;
 }
 
+/// Inverse mass of the tread where it is touched, 1/kg: velocity that a unit impulse gives to the place itself.
+double mobility(const Tire& tire, const Deflection& d) {
+  double sum = 0.0;
+  if (tire.rigid) return sum;
+  const std::size_t lines = tire.grid.across + 1;
+  for (int m = 0; m < 4; ++m) {
+    const std::size_t line = d.nodes[m] % lines;
+    if (line + 1 < lines) sum += d.weights[m] * d.weights[m] / tire.mass[line];
+  }
+  return sum;
+}
+
 /// Appends to `touches` what the points [first, last) do in contact.
 void touch(const ContactPoints& p, const Tire& tire, const AxleState& axle, const ContactLaw& law, std::size_t first,
            std::size_t last, std::vector<Touch>& touches) {
   const double outer = 0.5 * tire.shape.diameter + p.reach, side = tire.outline.lateral + p.reach;
-  const double k = p.stiffness, c = 2.0 * law.damping_ratio * std::sqrt(k * p.mass);
+  const double k = p.stiffness;
   for (std::size_t n = first; n < last; ++n) {
     const std::size_t i = p.which != nullptr ? p.which[n] : n;
     const double dx = p.x[i] - axle.x, dz = p.z[i] - axle.z, r2 = dx * dx + dz * dz;
@@ -68,11 +81,16 @@ void touch(const ContactPoints& p, const Tire& tire, const AxleState& axle, cons
     for (int m = 0; m < 4; ++m) sinking += d.weights[m] * tire.rate[d.nodes[m]];
     const double gap_rate =
         t.gradient[0] * rel[0] + t.gradient[1] * rel[1] + t.gradient[2] * rel[2] + s.normal_radial * sinking;
-    t.elastic = k * overlap;
-    t.damping = std::max(-c * gap_rate, -t.elastic);
+    // What moves when the gap opens, and when the two slip: the point, and the tread as far as that is radial.
+    const double size2 = t.gradient[0] * t.gradient[0] + t.gradient[1] * t.gradient[1] + t.gradient[2] * t.gradient[2];
+    const double radial2 = s.normal_radial * s.normal_radial, tread = mobility(tire, d);
+    const double normal_mass = 1.0 / (size2 / p.mass + radial2 * tread);
+    const double tangent_mass = 1.0 / (1.0 / p.mass + std::max(1.0 - radial2 / size2, 0.0) * tread);
+    t.elastic = k * overlap, t.gap_rate = gap_rate;
+    t.damping = std::max(-2.0 * law.damping_ratio * std::sqrt(k * normal_mass) * gap_rate, -t.elastic);
     const double normal = t.elastic + t.damping;
 
-    const double size = std::hypot(t.gradient[0], t.gradient[1], t.gradient[2]);
+    const double size = std::sqrt(size2);
     const double slip[3] = {rel[0] + sinking * er_x, rel[1], rel[2] + sinking * er_z};
     double through = 0.0;
     for (int a = 0; a < 3; ++a) through += slip[a] * t.gradient[a] / size;
@@ -81,9 +99,9 @@ void touch(const ContactPoints& p, const Tire& tire, const AxleState& axle, cons
       tangent[a] = slip[a] - through * t.gradient[a] / size;
       speed2 += tangent[a] * tangent[a];
     }
-    // Never more than would stop a third of the slip within the step: keeps light particles from being shaken.
+    // Never more than would stop a third of the slip within the step: keeps light partners from being shaken.
     const double drag =
-        std::min(law.friction * normal * size / std::max(std::sqrt(speed2), law.slip_speed), 0.3 * p.mass / p.dt);
+        std::min(law.friction * normal * size / std::max(std::sqrt(speed2), law.slip_speed), 0.3 * tangent_mass / p.dt);
     for (int a = 0; a < 3; ++a) {
       t.friction[a] = -drag * tangent[a];
       t.force[a] = normal * t.gradient[a] + t.friction[a];
@@ -124,6 +142,14 @@ void find_contact(const ContactPoints& p, Tire& tire, const AxleState& axle, con
   for (const Touch& t : result.touches) react(t, tire, result);
 }
 
+double longest_step(const ContactPoints& points, const Tire& tire, const ContactLaw& law) {
+  if (tire.rigid) return std::numeric_limits<double>::infinity();
+  double lightest = 2.0 * tire.mass[0];  // the other half of the first line is the mirror's
+  for (int j = 1; j < tire.grid.across; ++j) lightest = std::min(lightest, tire.mass[j]);
+  const double zeta = law.damping_ratio;
+  return (std::hypot(1.0, zeta) - zeta) / std::sqrt(points.stiffness * (1.0 / points.mass + 1.0 / lightest));
+}
+
 ContactWork book_contact(const ContactPoints& p, const AxleState& axle, const ContactResult& result,
                          const std::vector<double>& before, const float* stretch_before, double mean_spin,
                          const std::vector<double>& mean_rate) {
@@ -144,7 +170,10 @@ ContactWork book_contact(const ContactPoints& p, const AxleState& axle, const Co
     work.damping -= p.dt * t.damping * gap_rate;
     work.friction -= p.dt * (t.friction[0] * (rel[0] + sinking * t.e_radial[0]) + t.friction[1] * rel[1] +
                              t.friction[2] * (rel[2] + sinking * t.e_radial[1]));
-    work.radius -= t.elastic * (p.radius(p.stretch, i) - p.radius(stretch_before, i));
+    // At the mean of the overlaps before and after the radius changed.
+    const double shrunk = p.radius(stretch_before, i) - p.radius(p.stretch, i);
+    const double overlap_before = std::max(t.overlap + p.dt * t.gap_rate + shrunk, 0.0);
+    work.radius += 0.5 * p.stiffness * (t.overlap + overlap_before) * shrunk;
   }
   return work;
 }

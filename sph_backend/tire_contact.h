@@ -3,6 +3,7 @@
 /// The foam side is points: particles with a radius, or the surface nodes of a mesh, whose radius is zero.
 ///   gap g = distance of the particle from the section deflected by u(φ, y);  overlap δ = r_c − g, r_c = ½ layer ρ0/ρ
 ///   normal force N = k δ − c ġ ≥ 0 along ∇g, which contains the slopes of u: the force is the exact gradient of ½ k δ²
+///   c = 2 ζ √(k m), m of the particle and the tread in series
 ///   friction −μ N v_t/max(|v_t|, v_slip) on the relative tangential velocity, spin included
 /// The reaction on the tire does work on the axle (F·v), on the spin (r F_α ω) and on the nodes (n_r N, friction's
 /// radial part); the same weights interpolate u and spread the reaction, so no energy is made or lost in between. The
@@ -17,7 +18,7 @@
 namespace apc::sph {
 
 struct ContactLaw {
-  double damping_ratio = 0.1;  ///< c = 2 ζ √(k m)
+  double damping_ratio = 0.1;  ///< ζ
   double friction = 0.3;       ///< Coulomb coefficient of tire on foam
   double slip_speed = 0.0;     ///< v_slip, m/s: below it friction is viscous
 };
@@ -33,6 +34,7 @@ struct Touch {
   double overlap;   ///< δ
   double elastic;   ///< k δ
   double damping;   ///< −c ġ as applied
+  double gap_rate;  ///< ġ with the velocities before the kick
   double friction[3];
   double gradient[3];    ///< ∇g in x, y, z
   double e_radial[2];    ///< outward radial direction in x, z
@@ -51,6 +53,12 @@ struct ContactResult {
 
 /// Finds the contacts and adds to tire.force; the caller puts the touches' forces on the foam.
 void find_contact(const ContactPoints&, Tire&, const AxleState&, const ContactLaw&, ContactResult&);
+
+/// Longest step that a node of the tread bears under the penalty springs of four points at once, more than were seen:
+///   Δt = (√(1 + ζ²) − ζ)/ω,  ω² = k (1/m_point + 1/m_node)
+/// half of what one point allows. Beyond, the tread shakes by itself and makes energy out of nothing: particles that
+/// are coarse beside the tire are heavier than its nodes.
+double longest_step(const ContactPoints&, const Tire&, const ContactLaw&);
 
 struct ContactWork {
   double on_axle = 0.0;  ///< work of the axle against the foam in this step

@@ -47,10 +47,11 @@ void finish(const RollingRun& run, RollingResult& result) {
   result.particles = run.bed.alive, result.steps = static_cast<double>(run.bed.steps);
   result.particle_steps = static_cast<double>(run.bed.particle_steps);
   result.history = run.history;
+  result.shape = shape_behind(run);
   const Particles& p = run.bed.particles;
-  const double at = run.path.at(run.bed.time).x - 0.55 * run.radius();
+  const Slice slice = settled_slice(run);
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.id[i] < 0 || std::abs(p.x[i] - at) > run.setup.spacing) continue;
+    if (p.id[i] < 0 || p.x[i] < slice.from || p.x[i] >= 0.5 * (slice.from + slice.to)) continue;
     const double s = p.stretch[i];
     result.section_y.push_back(p.y[i]), result.section_z.push_back(p.z[i]);
     result.section_compaction.push_back(1.0 - 1.0 / (s * s * s));
@@ -120,12 +121,16 @@ class Recorder {
         distance_(options.snapshot_distance > 0.0 ? options.snapshot_distance : 0.5 * run.radius()) {}
 
   void snapshot(const RollingRun& run) {
-    if (options_.snapshots.empty()) return;
-    const AxleState axle = run.path.at(run.bed.time);  // while pressing, travel is the way down
-    const double travel = axle.x + run.path.start_height - axle.z;
-    if (travel < next_) return;
+    if (options_.snapshots.empty() || travel(run, run.bed.time) < next_) return;
     series_.write(run);
-    next_ = travel + distance_;
+    next_ = travel(run, run.bed.time) + distance_;
+  }
+
+  /// The run goes on from a checkpoint: so does the series.
+  void resume(const RollingRun& run) {
+    if (options_.snapshots.empty()) return;
+    const double last = series_.resume(run.bed.time);
+    if (last >= 0.0) next_ = travel(run, last) + distance_;
   }
 
   void checkpoint(const RollingRun& run, bool now) {
@@ -135,6 +140,12 @@ class Recorder {
   }
 
  private:
+  /// Way of the axle; while pressing, the way down.
+  static double travel(const RollingRun& run, double time) {
+    const AxleState axle = run.path.at(time);
+    return axle.x + run.path.start_height - axle.z;
+  }
+
   const RollOptions& options_;
   SnapshotSeries series_;
   double distance_, next_ = 0.0;
@@ -146,14 +157,15 @@ class Recorder {
 RollingResult roll(const RollingCase& given, const RollOptions& options) {
   const auto begin = Clock::now();
   RollingRun run = start_run(completed(given), options.threads);
-  if (!options.checkpoint.empty() && std::filesystem::exists(options.checkpoint))
-    load_checkpoint(run, options.checkpoint);
+  const bool resumed = !options.checkpoint.empty() && std::filesystem::exists(options.checkpoint);
+  if (resumed) load_checkpoint(run, options.checkpoint);
   const RollingCase& setup = run.setup;
   RollingResult result;
   result.state = RunState::did_not_settle;
   const double end = setup.transient() + setup.longest;
   std::size_t judged = run.history.drag.size();
   Recorder recorder(options, run);
+  if (resumed) recorder.resume(run);
   while (true) {
     step(run);
     recorder.snapshot(run);

@@ -13,6 +13,7 @@
 #include "sph_backend/energy.h"
 #include "sph_backend/foam.h"
 #include "sph_backend/pair_kernels.h"
+#include "sph_backend/rut_shape.h"
 #include "sph_backend/tire_shape.h"
 
 namespace apc::sph {
@@ -93,6 +94,7 @@ struct RollingResult {
   double bytes_per_particle = 0.0;
   RollingHistory history;
   std::vector<double> section_y, section_z, section_compaction;  ///< particles of one slice behind the tire, m
+  RutShape shape;                                                ///< of that slice; of particles only
 };
 
 struct RollOptions {

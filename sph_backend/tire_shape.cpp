@@ -34,8 +34,10 @@ SectionPoint Section::at(double r, double y) const {
   if (r < -radial) return {y - flange * lateral, 0.0, 1.0};
   const double b = r < 0.0 ? radial * side_axis : radial;
   const double f = std::max(std::hypot(r / b, y / lateral), 1e-6);
-  const double gr = r / (b * b * f), gy = y / (lateral * lateral * f), g = std::hypot(gr, gy);
-  return {(f - 1.0) / g, gr / g, gy / g};
+  const double hr = r / (b * b), hy = y / (lateral * lateral), h = std::max(std::hypot(hr, hy), 1e-9);
+  // d = f (f - 1)/h; with f' = (hr, hy)/f
+  const double first = (2.0 * f - 1.0) / (f * h), second = f * (f - 1.0) / (h * h * h);
+  return {f * (f - 1.0) / h, hr * (first - second / (b * b)), hy * (first - second / (lateral * lateral))};
 }
 
 }  // namespace apc::sph

@@ -141,7 +141,7 @@ RollingResult verify_rolling(Verification& v, const StudyOptions& options) {
   v.energy_residual = r.residual, v.viscous_share = r.energy.viscosity / input;
   v.spin_ratio = r.spin_ratio, v.rut_depth = r.rut_depth, v.compaction = r.compaction, v.partition = r.partition_mean;
   v.particles = r.particles, v.steps = r.steps, v.particle_steps_per_s = r.particle_steps_per_s, v.wall_s = r.wall_s;
-  v.bytes_per_particle = r.bytes_per_particle;
+  v.bytes_per_particle = r.bytes_per_particle, v.shape = r.shape;
   v.travel = r.history.distance.empty() ? 0.0 : r.history.distance.back();
   return r;
 }

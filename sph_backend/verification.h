@@ -73,6 +73,7 @@ struct Verification {
   double particles = 0.0, steps = 0.0, particle_steps_per_s = 0.0, wall_s = 0.0;
   double bytes_per_particle = 0.0;  ///< zero when not counted
   double travel = 0.0;              ///< m
+  RutShape shape;                   ///< of rolling particle runs; all zero otherwise
 };
 Verification verify(Study, double spacing, const StudyOptions& = {});
 

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunWords {
-  fs::path deck, out, snapshots;
+  fs::path deck, out, snapshots, checkpoint;
+  std::string checkpoint_every = "60 s";
   unsigned threads = 0;
 };
 
@@ -72,6 +73,13 @@ report::RollingRecord as_record(const SphDeck& deck, const sph::RollingResult& r
   record.section_z = result.section_z;
   for (double& z : record.section_z) z -= deck.rig.bed_depth;  // the rig counts from the rigid plane upwards
   record.section_compaction = result.section_compaction;
+  const double axle_height = deck.rig.bed_depth - deck.rig.penetration + 0.5 * deck.rig.tire.diameter;
+  const sph::FurrowWheel wheel{sph::section(deck.rig.tire), axle_height};
+  for (int k = 0; k <= 60; ++k) {
+    record.wheel_z.push_back(-deck.rig.penetration * (1.0 - k * k / 3600.0));
+    record.wheel_y.push_back(wheel.flank(deck.rig.bed_depth + record.wheel_z.back()));
+  }
+  for (const auto& line : sph::lines_of(result.shape)) record.shape.push_back({line.key, line.name, line.value});
   return record;
 }
 
@@ -82,6 +90,9 @@ void run_deck(const RunWords& words, Settings& settings) {
   options.threads = words.threads == 0 ? hardware_threads() : words.threads;
   options.stop = stop_requested;
   options.snapshots = words.snapshots;
+  options.checkpoint = words.checkpoint;
+  options.checkpoint_every_s = option_quantity("--checkpoint-every", words.checkpoint_every, dimension::time);
+  require(options.checkpoint_every_s >= 0.0, "--checkpoint-every: \"", words.checkpoint_every, "\" is in the past");
   const auto folder = words.out.empty() ? fs::path("out") / ("sph_" + words.deck.stem().string()) : words.out;
   settings.results = {folder / "history.csv", folder / "result.json", folder / "report.html"};
   sph::RollingResult result;
@@ -109,7 +120,8 @@ void run_deck(const RunWords& words, Settings& settings) {
   }
   if (!record.steady)
     throw SolveError(concat(words.deck.string(), ": ", record.state, ": ", record.message,
-                            ". Its loads are not to be used; the report shows what it had"));
+                            record.message.ends_with('.') ? " " : ". ",
+                            "Its loads are not to be used; the report shows what it had"));
 }
 
 void add_run(CLI::App& sph, Settings& settings) {
@@ -120,6 +132,13 @@ void add_run(CLI::App& sph, Settings& settings) {
       ->type_name("N")
       ->capture_default_str();
   command->add_option("--snapshots", words->snapshots, "folder for particle snapshots (VTU)")->type_name("DIR");
+  command
+      ->add_option("--checkpoint", words->checkpoint,
+                   "file of the run's state; after an interruption the same command goes on from it, to the same bits")
+      ->type_name("FILE");
+  command->add_option("--checkpoint-every", words->checkpoint_every, "how often it is renewed")
+      ->type_name("TIME")
+      ->capture_default_str();
   command->add_option("-o,--out", words->out, "folder of the files (default out/sph_FILE)")->type_name("DIR");
   add_common_options(*command, settings);
   command->footer("Exit code 3 when the loads did not become steady: the report then names the state and why.");

@@ -88,6 +88,24 @@ std::string energy_table(const std::vector<const sph::Verification*>& runs) {
   return aligned(table);
 }
 
+/// The furrow of every rolling particle run, a column each.
+std::string shape_table(const std::vector<const sph::Verification*>& runs, UnitSystem units) {
+  static const report::Measure fine{{"in", apc::units::in, 2}, {"mm", apc::units::mm, 0}};
+  TextTable table{{"shape of the rut"}, {}};
+  for (const auto* run : runs) {
+    if (run->shape.behind <= 0.0) continue;
+    table.headings.push_back(fmt::format("{} {}", label(run->method), size_name(run->spacing, units)));
+    const auto lines = sph::lines_of(run->shape);
+    table.rows.resize(lines.size());
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      if (table.rows[k].empty()) table.rows[k].emplace_back(lines[k].name);
+      const double value = lines[k].value;
+      table.rows[k].push_back(std::isfinite(value) ? report::shown(value, fine, units) : "-");
+    }
+  }
+  return table.rows.empty() ? "" : aligned(table) + "\n";
+}
+
 std::string assumptions(const sph::Verification& run) {
   std::string out = run.study == sph::Study::deck ? "As run:" : "Not printed in the study; here:";
   for (std::size_t k = 0; k < run.assumptions.size(); ++k) out += (k > 0 ? "; " : " ") + run.assumptions[k];
@@ -118,7 +136,7 @@ std::string verification_text(const std::vector<sph::Verification>& runs, UnitSy
   }
   std::string out = fmt::format("{}, {} apart\n\n{}\n", sph::name_of(runs.front().study),
                                 size_name(runs.front().spacing, units), aligned(table));
-  out += assumptions(runs.front()) + "\n" + energy_table(all) + "\n";
+  out += assumptions(runs.front()) + "\n" + energy_table(all) + "\n" + shape_table(all, units);
   for (const auto& run : runs) out += account(run);
   return out;
 }
@@ -187,7 +205,7 @@ std::string convergence_text(const std::vector<sph::Convergence>& studies, UnitS
     out += "\n" + aligned(table) + "\n" + aligned(errors);
     for (const auto& run : study.runs) runs.push_back(&run);
   }
-  out += "\n" + energy_table(runs) + "\n";
+  out += "\n" + energy_table(runs) + "\n" + shape_table(runs, units);
   for (const auto* run : runs) out += account(*run);
   return out;
 }

@@ -39,6 +39,8 @@ Value run_json(const sph::Verification& run) {
                                                             {"particle_steps_per_s", run.particle_steps_per_s},
                                                             {"wall_s", run.wall_s}};
   for (const auto& [key, value] : numbers) out[key] = number_or_null(value);
+  if (run.shape.behind > 0.0)
+    for (const auto& line : sph::lines_of(run.shape)) out["rut_shape"][line.key] = number_or_null(line.value);
   return out;
 }
 

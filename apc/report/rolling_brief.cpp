@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "apc/base/csv.h"
 #include "apc/report/rolling_record.h"
 
@@ -26,6 +28,10 @@ std::string rolling_brief(const RollingRecord& record, UnitSystem units) {
   line("rut", shown(record.rut_depth, measure::depth, units),
        "surface left behind " + shown(record.surface_left, measure::depth, units) + " below the top");
   line("tire deflection", shown(record.tire_deflection, measure::depth, units), "");
+  if (!record.shape.empty()) out += "\n  shape of the rut\n";
+  for (const auto& each : record.shape)
+    out += fmt::format("    {:<45}{:>9}\n", each.name,
+                       std::isfinite(each.value) ? shown(each.value, measure::depth, units) : "-");
   out += fmt::format("\n  energy of the modelled half{:>8}\n", "");
   double input = 0.0;
   for (const auto& term : record.energy_in) input += term.second;

@@ -40,6 +40,7 @@ std::string rolling_json(const RollingRecord& record) {
   for (const auto& [key, value] : numbers) out[key] = number_or_null(value);
   for (const auto& [key, value] : record.energy_in) out["energy_of_half"]["in"][key] = number_or_null(value);
   for (const auto& [key, value] : record.energy_out) out["energy_of_half"]["out"][key] = number_or_null(value);
+  for (const auto& each : record.shape) out["rut_shape"][each.key] = number_or_null(each.value);
   out["inputs"] = {{"name", record.name},       {"tire", record.tire},           {"material", record.material},
                    {"speed", record.speed},     {"bed_depth", record.bed_depth}, {"penetration", record.penetration},
                    {"spacing", record.spacing}, {"friction", record.friction}};

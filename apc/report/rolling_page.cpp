@@ -7,41 +7,11 @@
 #include "apc/report/page_parts.h"
 #include "apc/report/plot.h"
 #include "apc/report/rolling_record.h"
+#include "apc/report/rut_section.h"
 #include "apc/report/svg.h"
 
 namespace apc::report {
 namespace {
-
-/// Particles behind the tire, seen along the runway, both halves, to scale; darker = more compacted.
-std::string section_drawing(const RollingRecord& record) {
-  if (record.section_y.empty()) return "";
-  constexpr double width = 560, margin = 34;
-  const double half = *std::max_element(record.section_y.begin(), record.section_y.end()) + 0.5 * record.spacing;
-  const double low = -record.bed_depth, high = std::max(0.25 * record.bed_depth, 0.05);
-  const double scale = (width - 2 * margin) / (2 * half), height = (high - low) * scale + 2 * margin;
-  const Axis across{-half, half, margin, width - margin}, up{low, high, height - margin, margin};
-  std::string out = fmt::format(
-      "<svg class=\"rest\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"section behind the "
-      "tire\">",
-      width, pixel(height));
-  out += fmt::format("<path class=\"zero\" d=\"M{0},{1}H{2}\"/><path class=\"pavement\" d=\"M{0},{3}H{2}\"/>", margin,
-                     pixel(up(0.0)), width - margin, pixel(up(low)));
-  const double size = std::max(1.2, 0.42 * record.spacing * scale);
-  for (std::size_t i = 0; i < record.section_y.size(); ++i) {
-    const double shade = std::clamp(record.section_compaction[i] / 0.9, 0.0, 1.0);
-    for (const double side : {-1.0, 1.0})
-      out += fmt::format("<circle class=\"grain\" fill-opacity=\"{:.2f}\" cx=\"{}\" cy=\"{}\" r=\"{:.1f}\"/>",
-                         0.1 + 0.8 * shade, pixel(across(side * record.section_y[i])), pixel(up(record.section_z[i])),
-                         size);
-  }
-  out += fmt::format(
-      "<path class=\"level nose\" d=\"M{},{}H{}\"/><text class=\"name nose\" x=\"{}\" y=\"{}\" "
-      "text-anchor=\"end\">rut {}</text>",
-      margin, pixel(up(-record.rut_depth)), width - margin, width - margin - 2, pixel(up(-record.rut_depth) - 5),
-      either("tspan", shown(record.rut_depth, measure::depth, UnitSystem::field),
-             shown(record.rut_depth, measure::depth, UnitSystem::si)));
-  return out + "</svg>";
-}
 
 std::vector<Plot> plots_of(const RollingRecord& record) {
   std::vector<Plot> plots;
@@ -58,6 +28,14 @@ std::vector<Plot> plots_of(const RollingRecord& record) {
   if (!record.steady)
     for (auto& plot : plots) std::erase_if(plot.levels, [](const Level& level) { return level.name == "steady"; });
   return plots;
+}
+
+std::string shape_rows(const RollingRecord& record) {
+  if (record.shape.empty()) return "";
+  std::string out = "<table><tbody>\n";
+  for (const auto& each : record.shape)
+    out += row(each.name, std::isfinite(each.value) ? both(each.value, measure::depth) : "-");
+  return out + "</tbody></table>\n";
 }
 
 std::string energy_rows(const RollingRecord& record) {
@@ -114,9 +92,9 @@ std::string rolling_page(const RollingRecord& record) {
   for (std::size_t i = 0; i < plots.size(); ++i) out += figure(plots[i], axes, i);
   out +=
       "</div>\n<h2>The rut behind the tire</h2>\n<p class=\"sub\">Particles of one slice, seen along the runway, to "
-      "scale; the darker, the more compacted.</p><div style=\"max-width:760px\">";
-  out += section_drawing(record);
-  out += "</div>\n<h2>Energy account</h2>\n" + energy_rows(record);
+      "scale; the darker, the more crushed. Dashed: the surface, and what the undeformed wheel would cut.</p>\n";
+  out += rut_section(record) + shape_rows(record);
+  out += "\n<h2>Energy account</h2>\n" + energy_rows(record);
   out += "<h2>How to make this run again</h2>\n<table><tbody>\n";
   out += row("Command", "<code>" + escaped(record.manifest.command) + "</code>");
   out += row("Program", escaped(record.manifest.version));

@@ -11,6 +11,12 @@
 
 namespace apc::report {
 
+/// One measured length of the rut, m; NaN where there was nothing to measure.
+struct ShapeOfRut {
+  std::string key, name;
+  double value = 0.0;
+};
+
 struct RollingRecord {
   std::string name, source, tire, material;
   double speed = 0.0, bed_depth = 0.0, penetration = 0.0, maximum_penetration = 0.0;
@@ -30,6 +36,8 @@ struct RollingRecord {
 
   std::vector<double> time, distance, drag_history, vertical_history, spin_history, deflection_history;
   std::vector<double> section_y, section_z, section_compaction;  ///< one slice behind the tire; z from the top up
+  std::vector<double> wheel_y, wheel_z;                          ///< half of what the undeformed wheel would cut, m
+  std::vector<ShapeOfRut> shape;                                 ///< what was measured in that slice, in lines
   Manifest manifest;
 };
 

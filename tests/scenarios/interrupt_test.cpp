@@ -32,6 +32,30 @@ TEST(Interrupt, EndsALongParticleRunWithoutFiles) {
   EXPECT_EQ(folder.files(), std::set<std::string>{"deck.json"});
 }
 
+TEST(Interrupt, AKilledParticleRunGoesOnFromItsCheckpointToTheSameBits) {
+  const Folder folder;
+  folder.write("deck.json", with(with(slow_deck(), "0.6 in", "1.2 in"), "18 in", "12 in"));
+  const std::vector<std::string> plain{"sph", "run", "deck.json", "--threads", "1", "-o", "whole"};
+  auto kept = plain;
+  kept.back() = "resumed";
+  kept.insert(kept.end(), {"--checkpoint", "state.h5", "--checkpoint-every", "0 s", "--snapshots", "s"});
+  const int code = run(folder, plain).exit_code;
+  Running program(folder, kept);
+  for (int k = 0; k < 400 && !std::filesystem::exists(folder.path() / "state.h5") && !program.ended(); ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(25));
+  ASSERT_FALSE(program.ended()) << "the run is too short for this test";
+  program.kill();
+  program.wait();
+  ASSERT_TRUE(std::filesystem::exists(folder.path() / "state.h5"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "resumed/result.json"));
+  EXPECT_EQ(run(folder, kept).exit_code, code);
+  const auto drop_command = [](std::string text) { return text.substr(text.find("time")); };
+  EXPECT_EQ(drop_command(text_of(folder.path() / "resumed/history.csv")),
+            drop_command(text_of(folder.path() / "whole/history.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "s/run.pvd"));
+}
+
 TEST(Interrupt, LeavesAnOverrunWholeOrNotThereAtAnyMoment) {
   // The run takes a fraction of a second; ^C falls into reading, integrating or writing.
   for (const int milliseconds : {5, 20, 60, 120, 200, 400}) {

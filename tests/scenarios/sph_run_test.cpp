@@ -39,7 +39,12 @@ TEST(SphRun, RollsATireAndAccountsForItsEnergy) {
   EXPECT_EQ(json.at("energy_of_half").at("out").size(), 13u);
   for (const auto& name : json.at("energy_of_half").at("out").items())
     EXPECT_NE(said.out.find(name.key()), std::string::npos) << name.key() << " has no line in the report";
-  EXPECT_NE(text_of(folder.path() / "o/report.html").find("The rut behind the tire"), std::string::npos);
+  EXPECT_NE(said.out.find("shape of the rut"), std::string::npos);
+  EXPECT_GT(json.at("rut_shape").at("floor").get<double>(), json.at("rut_shape").at("floor_ideal").get<double>());
+  const auto page = text_of(folder.path() / "o/report.html");
+  EXPECT_NE(page.find("The rut behind the tire"), std::string::npos);
+  EXPECT_NE(page.find("across the rut, in"), std::string::npos);
+  EXPECT_NE(page.find("across the rut, mm"), std::string::npos);
 }
 
 /// The shipped foam written into the deck, with one entry changed.

@@ -81,6 +81,21 @@ TEST(TireShape, SectionIsItsOutline) {
   EXPECT_NEAR(s.at(s.radial + 0.01, 0.0).normal_radial, 1.0, 1e-12);
 }
 
+/// The contact does as much work as it stores only with the exact gradient, away from the outline too.
+TEST(TireShape, NormalIsTheGradientOfTheDistance) {
+  const Section s = section(testing::main_tire());
+  const double step = 1e-6;
+  for (const double r : {0.9, 0.5, 0.1, -0.1, -0.6})
+    for (const double y : {0.2, 0.6, 0.9, 1.05}) {
+      const double radial = r * s.radial, lateral = y * s.lateral;
+      const SectionPoint p = s.at(radial, lateral);
+      const double dr = s.at(radial + step, lateral).distance - s.at(radial - step, lateral).distance;
+      const double dy = s.at(radial, lateral + step).distance - s.at(radial, lateral - step).distance;
+      EXPECT_NEAR(p.normal_radial, dr / (2.0 * step), 1e-6) << r << " " << y;
+      EXPECT_NEAR(p.normal_lateral, dy / (2.0 * step), 1e-6) << r << " " << y;
+    }
+}
+
 TEST(Tire, ImpossibleCatalogueIsRefused) {
   TireShape tire = testing::main_tire();
   tire.bottoming_load = 1e8;
