@@ -36,7 +36,8 @@ FoamData read_foam(const Json& file) {
   foam.tension_cutoff = file.quantity("tension_cutoff", dimension::pressure);
   foam.damping = file.number("damping", 0.0);
   file.check(foam.density > 0.0, "density", "is not positive. Give the density of the intact foam, e.g. \"25 pcf\".");
-  file.check(foam.youngs_modulus > 0.0, "youngs_modulus", "is not positive.");
+  file.check(foam.youngs_modulus > 0.0, "youngs_modulus",
+             "is not positive. Give the modulus of the intact foam, e.g. \"2000 psi\".");
   file.check(foam.poisson_ratio >= 0.0 && foam.poisson_ratio < 0.5, "poisson_ratio", "must lie in [0, 0.5).");
   file.check(foam.tension_cutoff >= 0.0, "tension_cutoff",
              "is negative. Give the largest tensile stress, e.g. \"10 psi\".");

@@ -21,6 +21,7 @@ std::string rolling_brief(const RollingRecord& record, UnitSystem units) {
   const auto line = [&](const char* name, const std::string& value, const std::string& remark) {
     out += fmt::format("  {:<16}{:>14}  {}\n", name, value, remark);
   };
+  if (!record.steady) out += "  no load: what follows is the mean over the last window\n";
   const auto change = [](double share) { return "changed " + percent(share, 1) + " between the last two windows"; };
   line("drag", shown(record.drag, measure::force, units), change(record.drag_change));
   line("vertical", shown(record.vertical, measure::force, units), change(record.vertical_change));

@@ -38,6 +38,11 @@ std::string rolling_json(const RollingRecord& record) {
                                                             {"bytes_per_particle", record.bytes_per_particle},
                                                             {"wall_s", record.wall_s}};
   for (const auto& [key, value] : numbers) out[key] = number_or_null(value);
+  if (!record.steady)  // what it had is kept, but under a name that nobody takes for a load
+    for (const char* load : {"drag", "vertical", "rut_depth"}) {
+      out["last_window"][load] = out[load];
+      out[load] = nullptr;
+    }
   for (const auto& [key, value] : record.energy_in) out["energy_of_half"]["in"][key] = number_or_null(value);
   for (const auto& [key, value] : record.energy_out) out["energy_of_half"]["out"][key] = number_or_null(value);
   for (const auto& each : record.shape) out["rut_shape"][each.key] = number_or_null(each.value);
