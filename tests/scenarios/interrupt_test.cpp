@@ -41,19 +41,23 @@ TEST(Interrupt, AKilledParticleRunGoesOnFromItsCheckpointToTheSameBits) {
   kept.insert(kept.end(), {"--checkpoint", "state.h5", "--checkpoint-every", "0 s", "--snapshots", "s"});
   const int code = run(folder, plain).exit_code;
   Running program(folder, kept);
-  for (int k = 0; k < 400 && !std::filesystem::exists(folder.path() / "state.h5") && !program.ended(); ++k)
+  const auto there = [&](const char* name) { return std::filesystem::exists(folder.path() / name); };
+  for (int k = 0; k < 400 && !(there("state.h5") && there("s/run.pvd")) && !program.ended(); ++k)
     std::this_thread::sleep_for(std::chrono::milliseconds(25));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // a state later than the first snapshot
   ASSERT_FALSE(program.ended()) << "the run is too short for this test";
   program.kill();
   program.wait();
-  ASSERT_TRUE(std::filesystem::exists(folder.path() / "state.h5"));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "resumed/result.json"));
+  ASSERT_TRUE(there("state.h5"));
+  EXPECT_FALSE(there("resumed/result.json"));
+  folder.write("s/particles_0000.vtu", "kept");  // a run that began anew would write it again
   EXPECT_EQ(run(folder, kept).exit_code, code);
+  EXPECT_EQ(text_of(folder.path() / "s/particles_0000.vtu"), "kept");
   const auto drop_command = [](std::string text) { return text.substr(text.find("time")); };
   EXPECT_EQ(drop_command(text_of(folder.path() / "resumed/history.csv")),
             drop_command(text_of(folder.path() / "whole/history.csv")));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state.h5"));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "s/run.pvd"));
+  EXPECT_FALSE(there("state.h5"));
+  EXPECT_NE(text_of(folder.path() / "s/run.pvd").find("particles_0001.vtu"), std::string::npos);
 }
 
 TEST(Interrupt, LeavesAnOverrunWholeOrNotThereAtAnyMoment) {
