@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apc/learning/mean_of_scatter.h"
+
 namespace apc::learning {
 namespace {
 
@@ -20,7 +22,7 @@ double samples_per_second(const Channel& c) {
 double mean_kernel(double a0, double a1, double b0, double b1, double memory) {
   const double x = (a1 - a0) / memory, y = (b1 - b0) / memory;
   if (x < 1e-6 || y < 1e-6) return std::exp(-std::abs(0.5 * (a0 + a1 - b0 - b1)) / memory);
-  if (a0 == b0 && a1 == b1) return 2.0 * (x - 1.0 + std::exp(-x)) / (x * x);
+  if (a0 == b0 && a1 == b1) return mean_of_scatter(x);
   const double apart = std::max(0.0, std::max(a0, b0) - std::min(a1, b1)) / memory;
   return std::exp(-apart) * (1.0 - std::exp(-x)) / x * (1.0 - std::exp(-y)) / y;
 }

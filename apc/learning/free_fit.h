@@ -12,8 +12,8 @@
 
 namespace apc::learning {
 
-/// Numbers that one run tells beside its level. Squared errors of effect-free runs scatter as if they were six; effects
-/// are smooth and fall on the largest of them.
+/// Numbers that one run tells beside its level; chosen on measured cases with known truth. Squared errors of their
+/// effect-free runs scatter as if there were about six; effects are smooth and fall on the largest of them.
 inline constexpr double told_by_a_run = 3.0;
 
 struct FreeFit {

@@ -1,7 +1,6 @@
 /// What makes a whole run's drag differ from that of the next, though nothing is hidden: blocks do not average out over
 /// the way, the bed is another from day to day, mass and entry speed are known to a percent. Logarithm of the strength.
-///     σ² = σ_run² + σ_block² · ½(1 + lateral) · K(way/ℓ) + (σ_m/m)² + (2 σ_v/v)²,   K(x) = 2 (x − 1 + e⁻ˣ)/x²
-/// K: share of an exponentially correlated scatter left in its mean (VanMarcke, Random Fields, 1983, section 5.1).
+///     σ² = σ_run² + σ_block² · ½(1 + lateral) · K(way/ℓ) + (σ_m/m)² + (2 σ_v/v)²,   K as in mean_of_scatter.h
 #pragma once
 
 #include "apc/learning/measured.h"
