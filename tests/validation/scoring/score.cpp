@@ -119,17 +119,17 @@ void Scorer::effects_named(const Truth& t, const Answer& a) {
     if (a.verdict != "unexplained") fail(t, a, "not unexplained");
   }
   if (t.kind == "C") {
-    const bool inside = holds(t.ids());
+    const std::set<std::string> ids = t.ids();
+    const bool inside = holds(ids);
     const double visible = t.effects.empty() ? 0.0 : t.effects.front().detectability;
     const bool found = a.verdict == "found" && first == t.effects.front().id;
     if (!(silent && visible < 4.0)) {
-      const bool right = found ||
-                         (a.verdict == "ambiguous" &&
-                          std::any_of(a.set90.begin(), a.set90.end(),
-                                      [&](const auto& m) {
-                                        return std::includes(m.begin(), m.end(), t.ids().begin(), t.ids().end());
-                                      })) ||
-                         (a.set90.size() >= 2 && inside);
+      const bool right =
+          found ||
+          (a.verdict == "ambiguous" &&
+           std::any_of(a.set90.begin(), a.set90.end(),
+                       [&](const auto& m) { return std::includes(m.begin(), m.end(), ids.begin(), ids.end()); })) ||
+          (a.set90.size() >= 2 && inside);
       table.shares["6 cannot tell"].count(right);
       if (!right) fail(t, a, "not told as ambiguous");
     }
