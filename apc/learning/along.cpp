@@ -6,6 +6,7 @@
 #include "apc/base/parallel.h"
 #include "apc/base/require.h"
 #include "apc/learning/along_noise.h"
+#include "apc/learning/simulated_swing.h"
 
 namespace apc::learning {
 namespace {
@@ -152,6 +153,7 @@ std::optional<Along> balance_along(const Case& data, const Layout& layout, unsig
     AlongRun& a = along.runs[r];
     const Run& run = data.runs[r];
     load_motion(data, along.gears, run, a.motion);
+    if (swing_unknown(run)) simulate_swing(data, layout, along.gears, r, expected_sinking, a.motion);
     a.readings = readings_of(data, along.gears, run, a.motion);
     a.measured.resize(static_cast<Eigen::Index>(a.readings.size()));
     for (std::size_t i = 0; i < a.readings.size(); ++i) a.measured[static_cast<Eigen::Index>(i)] = a.readings[i].value;

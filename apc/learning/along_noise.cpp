@@ -11,26 +11,18 @@ namespace apc::learning {
 namespace {
 
 constexpr double knot = noise_knots;
-constexpr double run_level = 0.02;   ///< share of the deceleration that is off in a whole run
-constexpr double rut_memory = 3.0;   ///< m
-constexpr double ramp_factor = 6.0;  ///< in beds thinner than the table's samples
+constexpr double run_level = 0.02;  ///< share of the deceleration that is off in a whole run
+constexpr double rut_memory = 3.0;  ///< m
 
 /// Covariance of the deceleration's error at its knots.
-Eigen::MatrixXd drag_error(const Case& data, const std::vector<GearFacts>& gears, const AlongRun& a,
-                           const AlongNoise& n) {
+Eigen::MatrixXd drag_error(const AlongRun& a, const AlongNoise& n) {
   const Motion& m = a.motion;
   const auto knots = std::max<Eigen::Index>(2, static_cast<Eigen::Index>(m.time.back() / knot) + 1);
   Eigen::VectorXd size(knots);
   for (Eigen::Index j = 0; j < knots; ++j) {
     const double at = std::clamp((static_cast<double>(j) * knot - m.time.front()) / m.interval, 0.0,
                                  static_cast<double>(m.size() - 1));
-    const auto i = static_cast<std::size_t>(at);
-    size[j] = std::max(1.0, -a.response.base.along[static_cast<Eigen::Index>(i)]);
-    for (const GearFacts& g : gears) {
-      const double place = m.place[i] - g.behind;
-      if (place > 0.0 && data.bed.depth_at(place) < 1.05 * g.table->depth_range()[0])
-        size[j] *= g.nose ? 2.0 : ramp_factor;
-    }
+    size[j] = std::max(1.0, -a.response.base.along[static_cast<Eigen::Index>(at)]);
   }
   Eigen::MatrixXd K(knots, knots);
   for (Eigen::Index i = 0; i < knots; ++i)
@@ -73,7 +65,7 @@ double evidence_under(Along& along, const Case& data, const Layout& layout, cons
   std::vector<double> rest(along.runs.size());
   parallel_for(along.runs.size(), threads, [&](std::size_t r) {
     AlongRun& a = along.runs[r];
-    a.factor = noise_factor(data, along.gears, data.runs[r], a, noise);
+    a.factor = noise_factor(data.runs[r], a, noise);
     const Eigen::MatrixXd S = a.factor.triangularView<Eigen::Lower>().solve(a.unknowns(Eigen::all, a.touched));
     const Eigen::VectorXd y = a.factor.triangularView<Eigen::Lower>().solve(a.difference);
     information[r] = S.transpose() * S, right[r] = S.transpose() * y;
@@ -96,9 +88,8 @@ double evidence_under(Along& along, const Case& data, const Layout& layout, cons
 
 }  // namespace
 
-Eigen::MatrixXd noise_factor(const Case& data, const std::vector<GearFacts>& gears, const Run& run, const AlongRun& a,
-                             const AlongNoise& n) {
-  const Eigen::MatrixXd K = drag_error(data, gears, a, n);
+Eigen::MatrixXd noise_factor(const Run& run, const AlongRun& a, const AlongNoise& n) {
+  const Eigen::MatrixXd K = drag_error(a, n);
   const Eigen::MatrixXd B = drag_error_readings(run, a, K.rows());
   Eigen::MatrixXd C = B * K * B.transpose();
   Eigen::MatrixXd L(K.rows(), K.rows());

@@ -6,8 +6,7 @@
 namespace apc::learning {
 
 /// Lower Cholesky factor of the covariance of one run's readings: instruments, errors of deceleration, loads and ruts.
-Eigen::MatrixXd noise_factor(const Case&, const std::vector<GearFacts>&, const Run&, const AlongRun&,
-                             const AlongNoise&);
+Eigen::MatrixXd noise_factor(const Run&, const AlongRun&, const AlongNoise&);
 
 /// Finds `noise` by coordinate search on the evidence in so many passes, then fills factors and precision. Returns the
 /// unknowns that are likeliest without any effect.

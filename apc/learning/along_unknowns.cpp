@@ -10,9 +10,6 @@
 namespace apc::learning {
 namespace {
 
-/// Response to sinking, × that of a rigid wheel, before the data speak (± 0.4): flexible tires in SPH have 1.5 to 1.9
-/// (simulation::Sinking).
-constexpr double expected_sinking = 1.7;
 constexpr double step = 0.01, bed_strength_deviation = 0.08;
 
 }  // namespace

@@ -12,6 +12,10 @@ struct Extra {
   static constexpr double deviation[count] = {0.0015, 0.03, 0.012, 0.012, 0.08, 0.08, 0.3, 0.3, 0.7};
 };
 
+/// Response to sinking, × that of a rigid wheel, before the data speak (± 0.4): flexible tires in SPH have 1.5 to 1.9
+/// (simulation::Sinking).
+inline constexpr double expected_sinking = 1.7;
+
 /// Prior of the layout's unknowns and the extra ones; bed strength as a certificate allows it (8 %). `vertical_table`
 /// multiplies the deviations of the tables' vertical numbers.
 struct AlongPrior {

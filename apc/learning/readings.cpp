@@ -61,7 +61,6 @@ std::vector<Reading> readings_of(const Case& data, const std::vector<GearFacts>&
     const auto& rut = gears[g].nose ? run.survey->nose_rut : run.survey->main_rut;
     const double last = std::min(data.bed.length(), m.place.back() - gears[g].behind - 1.0);
     for (double from = 0.0; from + stretch <= last; from += stretch) {
-      if (data.bed.depth_at(from) < 1.05 * gears[g].table->depth_range()[0]) continue;
       double sum = 0.0;
       int samples = 0;
       for (std::size_t i = 0; i < rut.size(); ++i) {

@@ -18,7 +18,7 @@ struct Reading {
   bool is(Quantity q) const { return kind == Kind::signal && quantity == q; }
 };
 
-/// Of the whole motion; ruts only where the bed is as deep as the tables' thinnest sample.
+/// Of the whole motion, and of the ruts along the bed.
 std::vector<Reading> readings_of(const Case&, const std::vector<GearFacts>&, const Run&, const Motion&);
 
 /// What would have been read, mean lags included, when the balance held and the entry speed was this.
