@@ -10,6 +10,8 @@ namespace {
 
 using effects::Applied;
 
+constexpr double most_unproven = 0.75;
+
 /// O has several minima where strength and an effect nearly do the same: fitted from the size that the diagnosis found
 /// and from the fit that free runs already have, the lower one is taken.
 std::optional<FreeFit> fitted(const FreeEvidence& free, const std::vector<Applied>& found) {
@@ -74,6 +76,19 @@ bool inside(const std::vector<Applied>& effects) {
   });
 }
 
+/// What runs left out do not bear out is not certain, however well it fits those at hand. Joints are not asked: free
+/// runs do not see them.
+void doubt_what_does_not_help(Diagnosis& d, const HeldOut& held_out) {
+  if (held_out.runs.empty() || held_out.helps()) return;
+  for (Claim& claim : d.claims)
+    if (!claim.applied.effect.fine &&
+        std::any_of(d.augmented.begin(), d.augmented.end(), [&](const Applied& a) { return a.effect.id == claim.id; }))
+      claim.probability = std::min(claim.probability, most_unproven);
+  std::stable_sort(d.claims.begin(), d.claims.end(),
+                   [](const Claim& a, const Claim& c) { return a.probability > c.probability; });
+  if (d.verdict == Verdict::found && d.claims.front().probability <= most_unproven) d.verdict = Verdict::ambiguous;
+}
+
 }  // namespace
 
 void augment(Study& study) {
@@ -91,6 +106,7 @@ void augment(Study& study) {
   }
   if (!chosen) return;
   d.augmented = chosen->fit.effects, study.strength = chosen->fit.strength, study.held_out = chosen->held_out;
+  if (!d.tried) doubt_what_does_not_help(d, study.held_out);
 }
 
 }  // namespace apc::learning

@@ -13,6 +13,8 @@ using effects::Applied;
 using effects::Effect;
 
 constexpr std::size_t most_fits = 14;
+/// Below this a fit is not worth a search: evidence of free runs is never counted below 0.
+constexpr double hopeless = -1.0;
 
 struct Promising {
   Applied shape;
@@ -23,11 +25,9 @@ struct Promising {
 class Linear {
  public:
   explicit Linear(const FreeEvidence& e) : e_(e) {
-    const double sigma = e.runs.data->bed_strength, step = 0.25 * sigma;
+    const double sigma = e.runs.data->bed_strength, step = 0.5 * sigma;
     const Column by_strength = column(free_misfits(e.runs, e.none.strength + step, {}, {}, e.none.levels), step);
-    double count = 0.0;
-    for (const auto& s : e.runs.samples) count += s.size > 0 ? told_by_a_run : 0.0;
-    weight_ = count / e.none.square;
+    weight_ = told_by(e.runs).weight(e.none.square);
     nuisance_.push_back(by_strength);
     std::vector<double> here = {e.none.strength}, deviation = {sigma};
     for (std::size_t r = 0; r < e.runs.samples.size(); ++r) {
@@ -90,6 +90,12 @@ class Linear {
   double weight_ = 0.0;
 };
 
+FreeSet searched_set(const FreeEvidence& e, FreeSet set) {
+  set.fit = searched(e.runs, std::move(set.fit));
+  set.log_evidence = log_evidence_of(set.fit, e.none);
+  return set;
+}
+
 /// From the linear model's amplitude, and from half the usual one where that leads nowhere.
 std::optional<FreeSet> fitted(const FreeEvidence& e, const Promising& start) {
   std::optional<FreeSet> best;
@@ -104,6 +110,7 @@ std::optional<FreeSet> fitted(const FreeEvidence& e, const Promising& start) {
     } catch (const SolveError&) {
       continue;  // the other start
     }
+  if (best && best->log_evidence > hopeless) best = searched_set(e, std::move(*best));
   return best;
 }
 
@@ -143,7 +150,7 @@ std::optional<FreeEvidence> weigh_free(const Case& data, const std::vector<Effec
   std::vector<Promising> promising;
   std::map<std::string, double> forms;
   try {
-    e.none = fit_strength(e.runs);
+    e.none = searched(e.runs, fit_strength(e.runs));
     const Linear linear(e);
     double longest = 0.0;
     for (const Run& run : data.runs)
@@ -209,7 +216,7 @@ void add_pair(FreeEvidence& e, const std::vector<Applied>& pair) {
       continue;
     }
   if (!best) return;
-  e.sets[ids] = std::move(*best);
+  e.sets[ids] = std::move(*best);  // its start was searched; a search in one more direction finds more of what is rough
 }
 
 }  // namespace apc::learning

@@ -16,6 +16,7 @@ using Misfits = std::vector<Eigen::VectorXd>;
 constexpr int rounds = 8;
 constexpr double settled = 0.05;  ///< a fall of O that is not worth another round
 constexpr double widest = 6.0;    ///< deviations of the strength
+constexpr int search_cycles = 4;
 
 double square_of(const Misfits& misfits) {
   double sum = 0.0;
@@ -23,14 +24,7 @@ double square_of(const Misfits& misfits) {
   return std::max(1e-12, sum);
 }
 
-double count_of(const FreeRuns& f, const std::vector<char>& use) {
-  double n = 0.0;
-  for (std::size_t r = 0; r < f.samples.size(); ++r)
-    if ((use.empty() || use[r]) && f.samples[r].size > 0) n += told_by_a_run;
-  return n;
-}
-
-/// One unknown of a fit: its prior, its bounds, a step for differences.
+/// One unknown of a fit: its prior, its bounds, a step for differences: wide, because the bounce makes S rough.
 struct Unknown {
   enum class Kind { strength, amplitude, level };
   Kind kind = Kind::strength;
@@ -40,18 +34,18 @@ struct Unknown {
 
 std::vector<Unknown> unknowns_of(const FreeRuns& f, const std::vector<Applied>& effects, const std::vector<char>& use) {
   const double sigma = f.data->bed_strength;
-  std::vector<Unknown> list = {{Unknown::Kind::strength, 0, 0.0, sigma, -widest * sigma, widest * sigma, 0.25 * sigma}};
+  std::vector<Unknown> list = {{Unknown::Kind::strength, 0, 0.0, sigma, -widest * sigma, widest * sigma, 0.5 * sigma}};
   for (std::size_t e = 0; e < effects.size(); ++e) {
     if (effects[e].effect.fine) continue;
     const effects::Parameter& p = effects[e].effect.parameters.front();
     const double below = amplitude_positive(p) ? p.neutral : p.neutral - 2.0 * (p.neutral - p.low);
     list.push_back({Unknown::Kind::amplitude, e, p.neutral, amplitude_deviation(p), std::min(below, p.neutral),
-                    p.neutral + 2.0 * std::max(0.0, p.high - p.neutral), 0.1 * std::abs(p.usual - p.neutral)});
+                    p.neutral + 2.0 * std::max(0.0, p.high - p.neutral), 0.2 * std::abs(p.usual - p.neutral)});
   }
   for (std::size_t r = 0; r < f.samples.size(); ++r)
     if ((use.empty() || use[r]) && f.samples[r].size > 0) {
       const double own = f.level_deviation[r];
-      list.push_back({Unknown::Kind::level, r, 0.0, own, -widest * own, widest * own, 0.25 * own});
+      list.push_back({Unknown::Kind::level, r, 0.0, own, -widest * own, widest * own, 0.5 * own});
     }
   return list;
 }
@@ -72,14 +66,35 @@ double prior_of(const std::vector<Unknown>& unknowns, State s) {
   return sum;
 }
 
+State state_of(const FreeFit& fit) { return {fit.strength, fit.effects, fit.levels}; }
+
+/// Misfits, S and O there.
+FreeFit evaluated(const FreeRuns& f, const std::vector<Unknown>& unknowns, const State& at, const Told& told,
+                  const std::vector<char>& use) {
+  FreeFit fit;
+  fit.strength = at.strength, fit.effects = at.effects, fit.levels = at.levels;
+  fit.misfit = free_misfits(f, at.strength, at.effects, use, at.levels);
+  fit.square = square_of(fit.misfit);
+  fit.objective = told.objective(fit.square) + prior_of(unknowns, at);
+  return fit;
+}
+
+/// `fit` where `other` lies no lower; its covariance stays.
+bool improve(FreeFit& fit, FreeFit other) {
+  if (other.objective >= fit.objective) return false;
+  other.covariance = std::move(fit.covariance);
+  fit = std::move(other);
+  return true;
+}
+
 /// ½ of the curvature of O and its downhill slope.
 struct Slope {
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
 };
 
-Slope slope_at(const FreeRuns& f, const std::vector<Unknown>& unknowns, State here, const FreeFit& fit, double count,
-               const std::vector<char>& use) {
+Slope slope_at(const FreeRuns& f, const std::vector<Unknown>& unknowns, State here, const FreeFit& fit,
+               const Told& told, const std::vector<char>& use) {
   const auto n = static_cast<Eigen::Index>(unknowns.size());
   std::vector<Misfits> columns;
   for (const Unknown& u : unknowns) {
@@ -98,7 +113,7 @@ Slope slope_at(const FreeRuns& f, const std::vector<Unknown>& unknowns, State he
     for (std::size_t r = 0; r < fit.misfit.size(); ++r) columns.back()[r] = (fit.misfit[r] - columns.back()[r]) / step;
   }
   Slope slope{Eigen::MatrixXd::Zero(n, n), Eigen::VectorXd::Zero(n)};
-  const double weight = count / fit.square;
+  const double weight = told.weight(fit.square);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Misfits& a = columns[static_cast<std::size_t>(i)];
     for (std::size_t r = 0; r < fit.misfit.size(); ++r) {
@@ -122,19 +137,48 @@ Eigen::VectorXd step_within(const std::vector<Unknown>& unknowns, State here, co
   return bounded_step(slope.information, slope.gradient, low, high);
 }
 
+/// `here` with the levels of `other` in those runs that gain by them: a level is felt by its own run alone.
+FreeFit lower_run_by_run(const FreeRuns& f, const std::vector<Unknown>& unknowns, const FreeFit& here,
+                         const FreeFit& other, const Told& told) {
+  FreeFit mixed = here;
+  for (std::size_t r = 0; r < here.misfit.size(); ++r) {
+    if (here.misfit[r].size() == 0) continue;
+    const auto share = [&](const FreeFit& fit) {
+      return told.weight(here.square) * fit.misfit[r].squaredNorm() + std::pow(fit.levels[r] / f.level_deviation[r], 2);
+    };
+    if (share(other) < share(here)) mixed.levels[r] = other.levels[r], mixed.misfit[r] = other.misfit[r];
+  }
+  mixed.square = square_of(mixed.misfit);
+  mixed.objective = told.objective(mixed.square) + prior_of(unknowns, state_of(mixed));
+  return mixed;
+}
+
 }  // namespace
 
+double Told::objective(double square) const {
+  return numbers * (square > runs ? std::log(square) : std::log(runs) + square / runs - 1.0);
+}
+
+double Told::weight(double square) const { return numbers / std::max(square, runs); }
+
+Told told_by(const FreeRuns& f, const std::vector<char>& use) {
+  Told told;
+  for (std::size_t r = 0; r < f.samples.size(); ++r)
+    if ((use.empty() || use[r]) && f.samples[r].size > 0) {
+      told.numbers += std::min(told_by_a_run, static_cast<double>(f.samples[r].size));
+      told.runs += 1.0;
+    }
+  return told;
+}
+
 FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double strength, const std::vector<char>& use) {
-  State here{strength, start, std::vector<double>(f.samples.size(), 0.0)};
   const std::vector<Unknown> unknowns = unknowns_of(f, start, use);
-  const double count = count_of(f, use);
-  FreeFit fit;
-  fit.misfit = free_misfits(f, here.strength, here.effects, use, here.levels);
-  fit.square = square_of(fit.misfit);
-  fit.objective = count * std::log(fit.square) + prior_of(unknowns, here);
+  const Told told = told_by(f, use);
+  FreeFit fit = evaluated(f, unknowns, {strength, start, std::vector<double>(f.samples.size(), 0.0)}, told, use);
   Slope slope;
   for (int round = 0; round < rounds; ++round) {
-    slope = slope_at(f, unknowns, here, fit, count, use);
+    const State here = state_of(fit);
+    slope = slope_at(f, unknowns, here, fit, told, use);
     const Eigen::VectorXd step = step_within(unknowns, here, slope);
     const double before = fit.objective;
     bool fell = false;
@@ -143,27 +187,57 @@ FreeFit fit_free(const FreeRuns& f, const std::vector<Applied>& start, double st
         for (std::size_t k = 0; k < unknowns.size(); ++k)
           trial.value(unknowns[k]) = std::clamp(trial.value(unknowns[k]) + share * step[static_cast<Eigen::Index>(k)],
                                                 unknowns[k].low, unknowns[k].high);
-        Misfits misfits = free_misfits(f, trial.strength, trial.effects, use, trial.levels);
-        const double square = square_of(misfits), objective = count * std::log(square) + prior_of(unknowns, trial);
-        fell = objective < fit.objective;
-        if (fell) here = trial, fit.misfit = std::move(misfits), fit.square = square, fit.objective = objective;
+        fell = improve(fit, evaluated(f, unknowns, trial, told, use));
       } catch (const SolveError&) {
         continue;  // a shorter step
       }
     if (!fell || before - fit.objective < settled) break;
   }
-  fit.strength = here.strength, fit.effects = here.effects, fit.levels = here.levels;
   fit.covariance =
       slope.information.llt().solve(Eigen::MatrixXd::Identity(slope.information.rows(), slope.information.cols()));
   return fit;
 }
 
+FreeFit searched(const FreeRuns& f, FreeFit fit, const std::vector<char>& use) {
+  const std::vector<Unknown> unknowns = unknowns_of(f, fit.effects, use);
+  const Told told = told_by(f, use);
+  double reach = 1.0;
+  for (int cycle = 0; cycle < search_cycles; ++cycle) {
+    bool fell = false;
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
+      if (unknowns[k].kind == Unknown::Kind::level) continue;
+      const auto i = static_cast<Eigen::Index>(k);
+      for (const double sign : {1.0, -1.0}) try {
+          State trial = state_of(fit);
+          double& value = trial.value(unknowns[k]);
+          value = std::clamp(value + sign * reach * std::sqrt(fit.covariance(i, i)), unknowns[k].low, unknowns[k].high);
+          if (improve(fit, evaluated(f, unknowns, trial, told, use))) {
+            fell = true;
+            break;
+          }
+        } catch (const SolveError&) {
+          continue;  // the other way
+        }
+    }
+    for (const double sign : {1.0, -1.0}) try {
+        State all = state_of(fit);
+        for (std::size_t r = 0; r < all.levels.size(); ++r) all.levels[r] += sign * reach * 0.5 * f.level_deviation[r];
+        fell |= improve(fit, lower_run_by_run(f, unknowns, fit, evaluated(f, unknowns, all, told, use), told));
+      } catch (const SolveError&) {
+        continue;
+      }
+    if (!fell) reach *= 0.5;
+  }
+  return fit;
+}
+
 FreeFit fit_strength(const FreeRuns& f, const std::vector<char>& use) {
-  const double sigma = f.data->bed_strength, count = count_of(f, use);
+  const double sigma = f.data->bed_strength;
+  const Told told = told_by(f, use);
   double best = 0.0, lowest = 1e300;
   for (const double deviations : {0.0, -1.5, 1.5, -3.0, 3.0}) try {
       const double objective =
-          count * std::log(square_of(free_misfits(f, deviations * sigma, {}, use))) + deviations * deviations;
+          told.objective(square_of(free_misfits(f, deviations * sigma, {}, use))) + deviations * deviations;
       if (objective < lowest) lowest = objective, best = deviations * sigma;
     } catch (const SolveError&) {
       if (deviations == 0.0) throw;

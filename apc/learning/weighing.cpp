@@ -12,7 +12,7 @@ constexpr double odds_effect = 0.5, odds_pair = 0.15, odds_sensor = 0.1, odds_le
 constexpr double odds_effect_along = 2.0, odds_pair_along = 0.2, odds_sensor_along = 0.5;
 /// A tire that loses its pressure at the same place in every run is a rare thing, and with its free place a flexible
 /// one.
-constexpr double odds_tire_loss = 0.1;
+constexpr double odds_tire_loss = 0.3;
 
 /// Prior odds of one explanation of a kind against no effect.
 struct Odds {

@@ -55,13 +55,33 @@ TEST(Augment, AddsNothingWhereNothingIsSaidToBeMissing) {
   EXPECT_EQ(w->study.strength, w->study.free->none.strength);
 }
 
-TEST(Augment, AClaimThatDoesNotHelpStaysAClaimAndLeavesPredictionsAlone) {
+Claim claimed(const effects::Applied& applied, double probability) {
+  Claim claim;
+  claim.id = applied.effect.id, claim.applied = applied, claim.probability = probability;
+  return claim;
+}
+
+TEST(Augment, AClaimThatDoesNotHelpIsNotCertainAndLeavesPredictionsAlone) {
   const auto w = weighed(Verdict::found);
   w->study.diagnosis.augmented = {law("temperature", 0.003)};
+  w->study.diagnosis.claims = {claimed(law("temperature", 0.003), 0.99), claimed(law("slope", 0.01), 0.2)};
   augment(w->study);
+  EXPECT_EQ(w->study.diagnosis.claims[0].probability, 0.75);
+  EXPECT_EQ(w->study.diagnosis.claims[1].probability, 0.2) << "not asked";
+  EXPECT_EQ(w->study.diagnosis.verdict, Verdict::ambiguous);
   ASSERT_EQ(w->study.diagnosis.augmented.size(), 1u);
   EXPECT_FALSE(w->study.diagnosis.tried);
   EXPECT_FALSE(w->study.held_out.helps()) << w->study.held_out.before << " -> " << w->study.held_out.after;
+}
+
+TEST(Augment, AClaimThatHelpsKeepsItsProbability) {
+  const auto w = weighed(Verdict::found);
+  w->study.diagnosis.augmented = {law("inertial", 0.6)};
+  w->study.diagnosis.claims = {claimed(law("inertial", 0.6), 0.99)};
+  augment(w->study);
+  EXPECT_TRUE(w->study.held_out.helps());
+  EXPECT_EQ(w->study.diagnosis.claims[0].probability, 0.99);
+  EXPECT_EQ(w->study.diagnosis.verdict, Verdict::found);
 }
 
 TEST(Augment, WhatKnowsARunByItsDateIsNoTry) {

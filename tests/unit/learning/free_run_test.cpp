@@ -8,6 +8,7 @@
 #include "apc/learning/free_evidence.h"
 #include "apc/learning/held_out.h"
 #include "apc/learning/run_level.h"
+#include "apc/learning/shapes.h"
 #include "tests/support/surveyed_runs.h"
 
 namespace apc::learning {
@@ -73,13 +74,60 @@ TEST(FreeFit, ALevelTakesUpWhatIsWrongWithOneRun) {
   Case data = made({}, 1e-4);
   const FreeFit right = fit_strength(free_runs(data, 0));
   for (const double level : right.levels) EXPECT_LT(std::abs(level), 0.01);
-  data.runs[2].overrun.mass *= 1.06;  // said to be heavier than it was: the bed seems stronger to it
+  data.runs[2].overrun.mass *= 1.1;  // said to be heavier than it was: the bed seems stronger to it
   const FreeFit fit = fit_strength(free_runs(data, 0));
   std::printf("levels %.3f %.3f %.3f %.3f, strength %.3f\n", fit.levels[0], fit.levels[1], fit.levels[2], fit.levels[3],
               fit.strength);
   EXPECT_GT(fit.levels[2], 0.02);
   for (const std::size_t other : {0, 1, 3}) EXPECT_LT(std::abs(fit.levels[other]), 0.5 * fit.levels[2]) << other;
   EXPECT_LT(std::abs(fit.strength), 0.02);
+}
+
+TEST(FreeFit, ASearchLeadsBackToTheMinimumAndItsObjectiveIsThatOfItsMisfits) {
+  const Case data = made({inertia(0.6)}, 0.01);
+  const FreeRuns f = free_runs(data, 0);
+  const FreeFit best = fit_free(f, {inertia(0.1)}, 0.0);
+  FreeFit moved = best;
+  moved.strength += std::sqrt(best.covariance(0, 0)), moved.effects[0].values[0] += std::sqrt(best.covariance(1, 1));
+  moved.levels[1] += 0.5 * f.level_deviation[1];
+  const auto lay_open = [&](FreeFit& fit) {  // square and objective of where it stands, as fit_free reckons them
+    fit.misfit = free_misfits(f, fit.strength, fit.effects, {}, fit.levels);
+    fit.square = 0.0, fit.objective = 0.0;
+    for (std::size_t r = 0; r < fit.misfit.size(); ++r) {
+      fit.square += fit.misfit[r].squaredNorm();
+      fit.objective += std::pow(fit.levels[r] / f.level_deviation[r], 2);
+    }
+    const effects::Parameter& p = fit.effects[0].effect.parameters.front();
+    fit.objective += told_by(f).objective(fit.square) + std::pow(fit.strength / data.bed_strength, 2) +
+                     std::pow((fit.effects[0].values[0] - p.neutral) / amplitude_deviation(p), 2);
+  };
+  lay_open(moved);
+  ASSERT_GT(moved.objective, best.objective + 1.0);
+  const FreeFit found = searched(f, moved);
+  std::printf("O %.2f, moved to %.2f, found %.2f\n", best.objective, moved.objective, found.objective);
+  EXPECT_LT(found.objective, best.objective + 0.3);
+  EXPECT_EQ(found.covariance, best.covariance);
+  FreeFit again = found;
+  lay_open(again);
+  EXPECT_NEAR(again.objective, found.objective, 1e-9 * std::abs(found.objective));
+}
+
+TEST(FreeFit, ErrorsBelowTheirUncertaintyGainNoMoreThanTheyAreWorth) {
+  const Told told{6.0, 2.0};
+  // A run fitted exactly is no proof: O is bounded, and meets the logarithm where errors are their uncertainties.
+  EXPECT_NEAR(told.objective(2.0), 6.0 * std::log(2.0), 1e-12);
+  EXPECT_NEAR(told.objective(2.0) - told.objective(0.0), 6.0, 1e-12);
+  for (const double S : {0.5, 1.999, 2.001, 30.0})
+    EXPECT_NEAR((told.objective(S + 1e-5) - told.objective(S - 1e-5)) / 2e-5, told.weight(S), 1e-4);
+}
+
+TEST(FreeFit, ARunOfWhichOnlyTheStopIsKnownTellsOneNumber) {
+  Case data = made({}, 1e-4);
+  EXPECT_EQ(told_by(free_runs(data, 0)).numbers, 4.0 * told_by_a_run);
+  for (auto& run : data.runs) run.channels.clear();
+  const Told told = told_by(free_runs(data, 0));
+  EXPECT_EQ(told.numbers, 4.0);
+  EXPECT_EQ(told.runs, 4.0);
 }
 
 TEST(RunLevel, BlocksAverageOutOverTheWay) {
