@@ -152,6 +152,7 @@ std::optional<Along> balance_along(const Case& data, const Layout& layout, unsig
   parallel_for(along.runs.size(), threads, [&](std::size_t r) {
     AlongRun& a = along.runs[r];
     const Run& run = data.runs[r];
+    if (!swing_unknown(run)) lead_swing(data, layout, r, expected_sinking, a.motion);
     load_motion(data, along.gears, run, a.motion);
     if (swing_unknown(run)) simulate_swing(data, layout, along.gears, r, expected_sinking, a.motion);
     a.readings = readings_of(data, along.gears, run, a.motion);

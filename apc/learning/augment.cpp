@@ -12,9 +12,15 @@ using effects::Applied;
 
 constexpr double most_unproven = 0.75;
 
+bool same_forms(const std::vector<Applied>& a, const std::vector<Applied>& b) {
+  return std::is_permutation(a.begin(), a.end(), b.begin(), b.end(), [](const Applied& x, const Applied& y) {
+    return x.effect.id == y.effect.id && x.effect.form == y.effect.form;
+  });
+}
+
 /// O has several minima where strength and an effect nearly do the same: fitted from the size that the diagnosis found
-/// and from the fit that free runs already have, the lower one is taken.
-std::optional<FreeFit> fitted(const FreeEvidence& free, const std::vector<Applied>& found) {
+/// and from the fit that free runs already have, the lower one is taken. `own_form`: not where that is of another form.
+std::optional<FreeFit> fitted(const FreeEvidence& free, const std::vector<Applied>& found, bool own_form) {
   std::optional<FreeFit> best;
   const auto from = [&](const std::vector<Applied>& effects, double strength) {
     try {
@@ -25,7 +31,8 @@ std::optional<FreeFit> fitted(const FreeEvidence& free, const std::vector<Applie
     }
   };
   from(found, free.none.strength);
-  if (const auto own = free.sets.find(ids_of(found)); own != free.sets.end())
+  const auto own = free.sets.find(ids_of(found));
+  if (own != free.sets.end() && !(own_form && !same_forms(found, own->second.fit.effects)))
     from(own->second.fit.effects, own->second.fit.strength);
   return best;
 }
@@ -35,8 +42,8 @@ struct Augmented {
   HeldOut held_out;
 };
 
-std::optional<Augmented> tested(const FreeEvidence& free, const std::vector<Applied>& found) {
-  const auto fit = fitted(free, found);
+std::optional<Augmented> tested(const FreeEvidence& free, const std::vector<Applied>& found, bool own_form = false) {
+  const auto fit = fitted(free, found, own_form);
   if (!fit) return std::nullopt;
   try {
     return Augmented{*fit, leave_one_out(free.runs, fit->effects, fit->strength)};
@@ -97,6 +104,9 @@ void augment(Study& study) {
   std::optional<Augmented> chosen;
   if (!d.augmented.empty()) {
     chosen = tested(*study.free, d.augmented);
+    // Another form may serve predictions better, but does not stand for the claimed one.
+    if (chosen && !same_forms(chosen->fit.effects, d.augmented))
+      if (auto own = tested(*study.free, d.augmented, true); own && !own->held_out.helps()) chosen = std::move(own);
   } else if (d.verdict == Verdict::ambiguous || d.verdict == Verdict::unexplained) {
     for (const auto& effects : tries(study))
       if (auto one = tested(*study.free, effects); one && one->held_out.helps() && inside(one->fit.effects) &&

@@ -9,9 +9,6 @@
 namespace apc::learning {
 namespace {
 
-/// Beds thinner than this are between the table's thinnest sample and pavement: the foam's drag fades.
-constexpr double thin = 0.12;
-
 /// Drag over vertical load of a tire on pavement under this load.
 double rolling_ratio(const loadtables::LoadTable& table, double load) {
   double low = 0.0, high = 0.3;
@@ -174,9 +171,8 @@ Balance balance_at_loads(const Case& data, const std::vector<GearFacts>& gears, 
       return wheel.excess(p, found);
     });
     found = wheel.load(P);
-    const double u = std::min(1.0, depth / thin);
     b.penetration[g][i] = P, b.rut[g][i] = found.rut_depth;
-    b.drag[g][i] += wheel.gear.wheels * u * u * (3.0 - 2.0 * u) * found.drag;
+    b.drag[g][i] = wheel.gear.wheels * found.drag;
     return P;
   });
   for (std::size_t g = 0; g < gears.size(); ++g)
@@ -233,8 +229,7 @@ Response response_at_loads(const Case& data, const std::vector<GearFacts>& gears
     const TireLoad here = wheel.load(P), below = wheel.load(P + deeper), above = wheel.load(std::max(0.0, P - deeper));
     Wheel in_strong{wheel.gear, strong, wheel.at};
     const TireLoad changed = in_strong.load(P);
-    const double both = P + deeper - std::max(0.0, P - deeper), u = std::min(1.0, wheel.at.contact.bed_depth / thin),
-                 part = wheels * u * u * (3.0 - 2.0 * u);
+    const double both = P + deeper - std::max(0.0, P - deeper);
     const Sinking sinking = wheel.sinking(P);
     const double by_path = here.vertical * sinking.by_incline * wheel.easing / wheel.way;
     r.load_by_depth[g][i] =
@@ -243,8 +238,8 @@ Response response_at_loads(const Case& data, const std::vector<GearFacts>& gears
     r.load_by_last[g][i] = -(by_path + 2.0 * wheel.inertia()) / wheel.carried;
     r.load_by_second_last[g][i] = wheel.inertia() / wheel.carried;
     r.load_by_strength[g][i] = (changed.vertical - here.vertical) / stronger * (1.0 + sinking.share) / wheel.carried;
-    r.drag_by_depth[g][i] = part * (below.drag - above.drag) / both;
-    r.drag_by_strength[g][i] = part * (changed.drag - here.drag) / stronger;
+    r.drag_by_depth[g][i] = wheels * (below.drag - above.drag) / both;
+    r.drag_by_strength[g][i] = wheels * (changed.drag - here.drag) / stronger;
     r.rut_by_depth[g][i] = (below.rut_depth - above.rut_depth) / both;
     r.rut_by_strength[g][i] = (changed.rut_depth - here.rut_depth) / stronger;
     r.sinking[g][i] = sinking.share / (1.0 + sinking.share);

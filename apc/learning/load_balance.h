@@ -7,7 +7,8 @@
 /// counts: with P its penetration, α its path against the base and m its axle's mass,
 ///     V(P) (1 + α/sin θ) + m P̈ = carried,    α = dP/ds + slope of the base
 /// (the response to sinking of a rigid wheel, simulation::Sinking; α/sin θ within ± 0.6), solved from sample to sample.
-/// Loads are turned with a falling base, and the tire's own rolling resistance, as on pavement, goes on in the bed.
+/// Loads are turned with a falling base. On pavement a tire rolls with the table's resistance there; in the bed the
+/// table has it already.
 #pragma once
 
 #include "apc/learning/carried_loads.h"

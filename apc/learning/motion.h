@@ -16,7 +16,10 @@ struct Motion {
   std::vector<double> time, speed, place, pitch;   ///< place: of the nose wheel from the leading edge, m; rad
   std::vector<std::vector<double>> carried;        ///< load of all wheels, N: steady + gain × swing
   std::vector<std::vector<double>> steady, swing;  ///< of statics with this braking; what accelerations add, N
-  double sinking = 1.0;                            ///< response to sinking, × that of a rigid wheel
+  struct Led {
+    std::vector<double> rise, pitch_rate, nose;  ///< m/s², rad/s; load of the nose gear, N
+  } led;                                         ///< the bounce of a model led along the measured speed; may be empty
+  double sinking = 1.0;                          ///< response to sinking, × that of a rigid wheel
   std::size_t size() const { return time.size(); }
   /// A sampled quantity at any time; ends held.
   double at(const std::vector<double>& quantity, double when) const;

@@ -1,5 +1,6 @@
-/// The swing of a gear's load where no vertical acceleration was recorded: a model led along the measured speed meets
-/// the same ramp at the same time and bounces off it alike, for a second or two.
+/// The bounce of a model led along the measured speed: it meets the same ramp at the same time and bounces off it
+/// alike, for a second or two. Where vertical acceleration was recorded it sharpens what instruments tell of the loads;
+/// where it was not, it stands for them.
 #pragma once
 
 #include "apc/learning/carried_loads.h"
@@ -14,6 +15,9 @@ bool swing_unknown(const Run&);
 /// first second of the main gear in the bed, 0.6 in the next). The nose gear's simulated swing says little (0.5, 0.3)
 /// and is left out.
 inline constexpr double swing_believed = 0.75;
+
+/// Sets `led`; leaves it empty where the model cannot be run.
+void lead_swing(const Case&, const Layout&, std::size_t run, double sinking, Motion&);
 
 /// Sets swing and load of the main gear by a run of the nominal model led along the measured speed, its response to
 /// sinking that of `sinking` rigid wheels; leaves them where the model cannot be run.

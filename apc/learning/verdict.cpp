@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "apc/learning/free_evidence.h"
+
 namespace apc::learning {
 namespace {
 
@@ -125,8 +127,10 @@ void decide(Diagnosis& d, bool along) {
   } else {
     d.verdict = Verdict::ambiguous;
   }
+  // Dates raise or lower whole runs, as their own scatter does: laws of them go into predictions when near certain.
   for (const Claim& c : d.claims)
-    if (c.probability >= 0.5 && d.verdict != Verdict::nothing && d.verdict != Verdict::sensor)
+    if (c.probability >= (known_by_date(c.applied.effect) ? 0.8 : 0.5) && d.verdict != Verdict::nothing &&
+        d.verdict != Verdict::sensor)
       d.augmented.push_back(c.applied);
 }
 

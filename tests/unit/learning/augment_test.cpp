@@ -74,6 +74,24 @@ TEST(Augment, AClaimThatDoesNotHelpIsNotCertainAndLeavesPredictionsAlone) {
   EXPECT_FALSE(w->study.held_out.helps()) << w->study.held_out.before << " -> " << w->study.held_out.after;
 }
 
+TEST(Augment, AClaimMustHelpInItsOwnForm) {
+  // Free runs know another form of the claimed law, and that form (it acts as the hidden inertia does) mends them.
+  const auto w = weighed(Verdict::found);
+  auto other = law("inertial", 0.6);
+  other.effect.id = "temperature", other.effect.form = "other";
+  w->study.free->sets[{"temperature"}] = {fit_free(w->study.free->runs, {other}, 0.0), 5.0};
+  w->study.diagnosis.augmented = {law("temperature", 0.003)};
+  w->study.diagnosis.claims = {claimed(law("temperature", 0.003), 0.99)};
+  augment(w->study);
+  EXPECT_EQ(w->study.diagnosis.claims[0].probability, 0.75);
+  EXPECT_FALSE(w->study.held_out.helps());
+  w->study.diagnosis.augmented = {other};
+  w->study.diagnosis.claims = {claimed(other, 0.99)};
+  augment(w->study);
+  EXPECT_TRUE(w->study.held_out.helps());
+  EXPECT_EQ(w->study.diagnosis.claims[0].probability, 0.99);
+}
+
 TEST(Augment, AClaimThatHelpsKeepsItsProbability) {
   const auto w = weighed(Verdict::found);
   w->study.diagnosis.augmented = {law("inertial", 0.6)};

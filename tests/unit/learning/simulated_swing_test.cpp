@@ -68,9 +68,7 @@ TEST_F(OwnSwing, LeavesTheNoseGearAndTheSteadyLoadAlone) {
 
 TEST_F(OwnSwing, KeepsTheLeastLoadThatTheBalanceAllows) {
   simulate_swing(bare, layout, gears, 0, wanted.sinking, asked);
-  const double least =
-      least_share * gears[main].wheels *
-      share_of(gears).static_load(gears[main], bare.runs[0].overrun.mass, bare.runs[0].overrun.cg_behind_nose_gear);
+  const double least = least_load(gears[main], share_of(gears), bare.runs[0]);
   for (const double load : asked.carried[main]) EXPECT_GE(load, least * (1.0 - 1e-12));
 }
 
