@@ -4,7 +4,7 @@
 ///
 /// Unknowns besides those of the layout: rolling resistance on pavement and in the bed, a common factor on drag, depth
 /// as surveyed, errors of the tables in beds thinner than their samples, how much of a swing of the load reaches the
-/// tire, a foam that locks up gradually. On the plateau of a foam a few percent of load
+/// tire, a foam that locks up gradually or seems stronger at speed. On the plateau of a foam a few percent of load
 /// are a quarter of the depth, so the model is linearised again where strength, blocks, tables and depth are likeliest.
 /// What is left is noise of known form: an error of the deceleration proportional to it and one of the load carried
 /// (correlated in time, and they move the speed, too), one of the ruts (correlated along the bed); their sizes are

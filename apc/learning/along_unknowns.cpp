@@ -160,6 +160,7 @@ Eigen::MatrixXd sensitivities(const Case& data, const Layout& layout, const std:
   };
   altered(layout.size + Extra::depth, effects::depth_as_built(), -0.004);
   altered(layout.size + Extra::stiffening, effects::lock_up_gradual(), 0.1);
+  altered(layout.size + Extra::rate, effects::rate(), 0.02);
   put(at.entry_speed, base, 0.1, entry + 0.1);
 
   for (std::size_t i = 0; i < along.readings.size(); ++i) {
