@@ -17,8 +17,11 @@ using effects::Effect;
 /// Evidence is divided by this before it becomes probability: with ruts in every run, and without. Chosen on cases with
 /// known truth.
 constexpr double temper_surveyed = 1.5, temper_unsurveyed = 3.0;
-/// Relinearisations of the bed, each half the way to what is likeliest.
-constexpr int rounds = 4;
+/// The bed is linearised again half the way to what is likeliest, twelve times, whether or not that helps (evidence
+/// without an effect has several summits); then from the best of these, while it rises, with longer steps where that
+/// helped and shorter ones where it did not. No effect is to be paid for steps that were not taken.
+constexpr int free_rounds = 12, most_rounds = 8;
+constexpr double least_share_of_step = 0.05, converged = 0.2;
 /// A tire cannot be told to have lost its pressure before the main gear is in the full bed.
 constexpr double earliest_tire_loss = 30.0;
 
@@ -173,16 +176,26 @@ std::optional<Along> balance_along(const Case& data, const Layout& layout, unsig
     return fit_noise(along, data, layout, prior, passes, threads);
   };
   try {
-    Eigen::VectorXd bed = Eigen::VectorXd::Zero(layout.size + Extra::count), best = bed;
+    Eigen::VectorXd bed = Eigen::VectorXd::Zero(layout.size + Extra::count), best, towards;
     double highest = -1e300;
     AlongNoise noise;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < free_rounds; ++round) {
       const Eigen::VectorXd likeliest = fit_at(bed, 1);
-      if (along.log_evidence > highest) highest = along.log_evidence, best = bed, noise = along.noise;
+      if (along.log_evidence > highest)
+        highest = along.log_evidence, best = bed, towards = likeliest, noise = along.noise;
       bed += 0.5 * (of_the_bed.cwiseProduct(likeliest) - bed);
     }
-    fit_at(bed, 2);
-    if (along.log_evidence < highest) along.noise = noise, fit_at(best, 1);  // one step too far
+    double share = 0.5;
+    for (int round = 0; round < most_rounds && share > least_share_of_step; ++round) {
+      along.noise = noise;
+      bed = best + share * (of_the_bed.cwiseProduct(towards) - best);
+      const Eigen::VectorXd likeliest = fit_at(bed, 1);
+      const double gain = along.log_evidence - highest;
+      if (gain > 0.0) best = bed, towards = likeliest, highest = along.log_evidence, noise = along.noise;
+      share = gain > 0.0 ? std::min(1.0, 1.5 * share) : 0.4 * share;
+      if (gain > 0.0 && gain < converged) break;
+    }
+    along.noise = noise, fit_at(best, 2);
   } catch (const SolveError&) {
     return std::nullopt;
   }
